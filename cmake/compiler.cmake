@@ -8,8 +8,9 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 option(MENGER_WERROR "Treat warnings as errors" OFF)
 
 add_library(menger_warnings INTERFACE)
-# In a unity build names hide those of other sources, which means nothing.
-set(warnings -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow> -Wconversion -Wsign-conversion
+# A local variable of a test may have the name of a constant of another test that is compiled together with it.
+set(shadow "-Wshadow$<$<BOOL:$<TARGET_PROPERTY:MENGER_HIDES_OTHER_TESTS>>:=local>")
+set(warnings -Wall -Wextra -Wpedantic ${shadow} -Wconversion -Wsign-conversion
              -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${MENGER_WERROR}>:-Werror>)
 target_compile_options(menger_warnings INTERFACE "$<$<COMPILE_LANGUAGE:C,CXX>:${warnings}>")
 

@@ -14,7 +14,7 @@ namespace menger::evolution {
 
 namespace {
 
-constexpr int level = 1;  ///< of all bodies on finite elements
+constexpr int level_on_elements = 1;  ///< of all bodies on finite elements
 
 std::unique_ptr<DesignEvaluator> evaluator_on(const Study& study, fem::Fidelity fidelity) {
   Study finer = study;
@@ -68,7 +68,7 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
   const std::vector<FitDesign> robots = different_robots(study, archive, made.count());
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(study.search, robots[n].phenotype);
-    const std::string design = design_hash(simulated, level);
+    const std::string design = design_hash(simulated, level_on_elements);
     // A robot that has walked on some of the elements only, as another study asked, is not confirmed.
     if (std::ranges::any_of(protocols, [&](const auto& one) { return !made.in_scenarios(one.second, design); })) continue;
     for (const auto& [fidelity, texts] : protocols) {
@@ -125,7 +125,7 @@ io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmati
     const Phenotype simulated = as_simulated(study.search, one.design.phenotype);
     std::optional<double> ratio;
     if (one.score && one.design.fitness > 0.0) ratio = *one.score / one.design.fitness;
-    table.add_row(std::uint64_t{one.rank}, one.design.individual, design_hash(simulated, level),
+    table.add_row(std::uint64_t{one.rank}, one.design.individual, design_hash(simulated, level_on_elements),
                   std::uint64_t{simulated.body.count()}, one.design.fitness, to_string(one.fidelity), one.score, ratio,
                   one.angle_deg, one.reason);
   }

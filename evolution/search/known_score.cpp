@@ -6,7 +6,7 @@
 namespace menger::evolution {
 namespace {
 
-constexpr double failed = -std::numeric_limits<double>::infinity();
+constexpr double score_of_failure = -std::numeric_limits<double>::infinity();
 
 /// Returns the scores of a level in the scenarios that are known, by scenario.
 std::vector<double> scores_of(const SearchPlan& plan, int level, const KnownResults& results) {
@@ -15,7 +15,7 @@ std::vector<double> scores_of(const SearchPlan& plan, int level, const KnownResu
     const auto found = results.find({level, scenario});
     if (found == results.end()) continue;
     const auto& moved_m = found->second.displacement_m;
-    scores.push_back(moved_m ? level_score(plan, *moved_m, level) : failed);
+    scores.push_back(moved_m ? level_score(plan, *moved_m, level) : score_of_failure);
   }
   return scores;
 }
@@ -50,7 +50,7 @@ KnownScore known_score(const SearchPlan& plan, const KnownResults& results) {
   for (const int level : plan.levels()) {
     const auto score = counting_score(plan, scores_of(plan, level, results));
     if (!score) continue;
-    if (*score == failed) return {.is_failed = true};
+    if (*score == score_of_failure) return {.is_failed = true};
     known.at_most = std::min(*score, known.at_most.value_or(*score));
   }
   return known;
@@ -60,7 +60,7 @@ std::optional<std::size_t> deciding_scenario(const SearchPlan& plan, int level, 
   const std::vector<double> scores = scores_of(plan, level, results);
   if (scores.size() < plan.scenarios) return std::nullopt;
   const auto score = counting_score(plan, scores);
-  if (!score || *score == failed) return std::nullopt;
+  if (!score || *score == score_of_failure) return std::nullopt;
   return static_cast<std::size_t>(std::ranges::find(scores, *score) - scores.begin());
 }
 

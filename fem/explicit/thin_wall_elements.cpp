@@ -23,12 +23,12 @@ constexpr std::size_t nodes_at_once = 2048;
 /// @param first the first node's vector
 template <class Number>
 [[gnu::always_inline]] inline void convert_relative(const double* from, std::size_t count, const double* first, Number* to) {
-  constexpr std::size_t pattern = 24;
-  std::array<double, pattern> origin;
-  for (std::size_t n = 0; n < pattern; ++n) origin[n] = first[n % 3];
-  const std::size_t whole = count / pattern * pattern;
-  for (std::size_t n = 0; n < whole; n += pattern)
-    for (std::size_t k = 0; k < pattern; ++k) to[n + k] = static_cast<Number>(from[n + k] - origin[k]);
+  constexpr std::size_t period = 24;
+  std::array<double, period> origin;
+  for (std::size_t n = 0; n < period; ++n) origin[n] = first[n % 3];
+  const std::size_t whole = count / period * period;
+  for (std::size_t n = 0; n < whole; n += period)
+    for (std::size_t k = 0; k < period; ++k) to[n + k] = static_cast<Number>(from[n + k] - origin[k]);
   for (std::size_t n = whole; n < count; ++n) to[n] = static_cast<Number>(from[n] - origin[n - whole]);
 }
 

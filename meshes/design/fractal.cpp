@@ -24,8 +24,8 @@ Sides sides(const Polycube& body) {
 Sides product(const Sides& a, const Sides& b) { return {product(a[0], b[0]), product(a[1], b[1]), product(a[2], b[2])}; }
 
 std::size_t grid_bytes(const Sides& cells) {
-  constexpr auto largest_side = static_cast<std::size_t>(std::numeric_limits<int>::max());
-  if (cells[0] > largest_side || cells[1] > largest_side || cells[2] > largest_side) return saturated;
+  constexpr auto most_cells = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  if (cells[0] > most_cells || cells[1] > most_cells || cells[2] > most_cells) return saturated;
   return product(product(cells[0], cells[1]), product(cells[2], sizeof(Material)));
 }
 

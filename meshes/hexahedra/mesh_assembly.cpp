@@ -59,10 +59,10 @@ Neighbours neighbours_of(const NamedHexahedra& input, const FaceElements& at_fac
     if (elements.size() < 2) continue;
     const ElementFace& a = elements[0];
     const ElementFace& b = elements[1];
-    const bool same =
+    const bool same_way =
         agree(face_of_element(input.elements[a.element], a.side), face_of_element(input.elements[b.element], b.side));
-    neighbours[a.element].emplace_back(b.element, same);
-    neighbours[b.element].emplace_back(a.element, same);
+    neighbours[a.element].emplace_back(b.element, same_way);
+    neighbours[b.element].emplace_back(a.element, same_way);
   }
   return neighbours;
 }
@@ -74,10 +74,10 @@ void make_consistent(NamedHexahedra& input, const Neighbours& neighbours, const 
   std::vector<std::size_t> order{0};
   reached[0] = true;
   for (std::size_t next = 0; next < order.size(); ++next) {
-    for (const auto& [neighbour, same] : neighbours[order[next]]) {
+    for (const auto& [neighbour, same_way] : neighbours[order[next]]) {
       if (reached[neighbour]) continue;
       reached[neighbour] = true;
-      mirrored[neighbour] = mirrored[order[next]] != !same;
+      mirrored[neighbour] = mirrored[order[next]] != !same_way;
       order.push_back(neighbour);
     }
   }
@@ -127,7 +127,7 @@ std::map<FaceCorners, std::size_t> labels_by_face(const NamedHexahedra& input, c
 
 void add_faces(HexahedralMesh& mesh, const FaceElements& at_faces, const std::map<FaceCorners, std::size_t>& labels) {
   const auto outer = std::find(mesh.label_names.begin(), mesh.label_names.end(), "outer");
-  const auto outer_label = static_cast<std::size_t>(outer - mesh.label_names.begin());
+  const auto outer_number = static_cast<std::size_t>(outer - mesh.label_names.begin());
   if (outer == mesh.label_names.end()) mesh.label_names.emplace_back("outer");
   for (const auto& [face, elements] : at_faces) {
     if (elements.size() > 1) continue;
@@ -135,7 +135,7 @@ void add_faces(HexahedralMesh& mesh, const FaceElements& at_faces, const std::ma
     // The numbering may have been mirrored in the meantime, so the face is found by its corners.
     for (std::size_t side = 0; side < face_corners.size(); ++side) {
       const FaceCorners corners = face_of_element(mesh.elements[elements[0].element], side);
-      if (sorted(corners) == face) mesh.faces.push_back({corners, label == labels.end() ? outer_label : label->second});
+      if (sorted(corners) == face) mesh.faces.push_back({corners, label == labels.end() ? outer_number : label->second});
     }
   }
 }

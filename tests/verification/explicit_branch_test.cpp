@@ -15,8 +15,8 @@ namespace menger::fem {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
-constexpr double density = 1070.0;
+constexpr double half_turn = std::numbers::pi;
+constexpr double column_density = 1070.0;
 constexpr double modulus = 50e3;
 
 /// A column that shears: all nodes move along x alone, by the same amount at the same height. Its lowest mode is u = cos(pi y /
@@ -39,7 +39,7 @@ struct Column {
 
   static double wave_number_square() {
     const double h = length / count;
-    const double half = std::sin(0.5 * pi * h / length) / h;
+    const double half = std::sin(0.5 * half_turn * h / length) / h;
     return 4.0 * half * half;
   }
 };
@@ -50,8 +50,8 @@ class FreeDecay {
  public:
   explicit FreeDecay(const MaxwellBranch& branch) {
     const double tau = branch.relaxation_time_s;
-    const double soft = Column::wave_number_square() * modulus / density;
-    const double hard = Column::wave_number_square() * (modulus + branch.shear_modulus_Pa) / density;
+    const double soft = Column::wave_number_square() * modulus / column_density;
+    const double hard = Column::wave_number_square() * (modulus + branch.shear_modulus_Pa) / column_density;
     // tau s^3 + s^2 + hard tau s + soft, for hard tau = (mu + m) tau K^2 / density; Newton's method from the undamped root
     Complex s(0.0, std::sqrt(soft));
     for (int n = 0; n < 50; ++n) s -= (((tau * s + 1.0) * s + hard * tau) * s + soft) / ((3.0 * tau * s + 2.0) * s + hard * tau);
@@ -68,7 +68,7 @@ class FreeDecay {
     for (std::size_t k = 0; k < 3; ++k) sum += shares_[k] * std::exp(roots_[k] * time_s);
     return sum.real();
   }
-  [[nodiscard]] double period_s() const { return 2.0 * pi / roots_[0].imag(); }
+  [[nodiscard]] double period_s() const { return 2.0 * half_turn / roots_[0].imag(); }
   [[nodiscard]] double decay_per_s() const { return -roots_[0].real(); }
 
  private:
@@ -80,7 +80,7 @@ class FreeDecay {
 // faster than, as fast as, and slower than the mode, over five of its periods at 171 Hz. Tensors that relax every 0.08 of
 // their time, for the middle of it, are wrong by the square of that, as far as the branch has a say: below 1e-3 of the amplitude.
 TEST(MaxwellBranch, ShearModeDecaysAsTheStandardLinearSolid) {
-  const double angular_frequency = std::sqrt(Column::wave_number_square() * modulus / density);
+  const double angular_frequency = std::sqrt(Column::wave_number_square() * modulus / column_density);
   for (const double number : {0.2, 1.0, 5.0}) {
     const MaxwellBranch branch{.shear_modulus_Pa = 15e3, .relaxation_time_s = number / angular_frequency};
     const FreeDecay wanted(branch);
@@ -93,7 +93,7 @@ TEST(MaxwellBranch, ShearModeDecaysAsTheStandardLinearSolid) {
     state.branches.reset();
     constexpr double amplitude = 2e-3;
     for (std::size_t n = 0; n < column.mesh.points.size(); ++n)
-      state.displacements_m[3 * n] = amplitude * std::cos(pi * column.mesh.points[n][1] / Column::length);
+      state.displacements_m[3 * n] = amplitude * std::cos(half_turn * column.mesh.points[n][1] / Column::length);
     dynamics.set_state(state);
     const std::size_t end = 3 * node_at(column.mesh, {0.0, 0.0, 0.0});
     double worst = 0.0;

@@ -126,7 +126,7 @@ void expect_consistent(Equations& equations) {
 }
 
 template <class F>
-void for_each_element(F&& f) {
+void for_each_kind_of_element(F&& f) {
   for (const int degree : {1, 2})
     for (const Formulation formulation : {Formulation::three_field, Formulation::displacement}) f(degree, formulation);
 }
@@ -143,7 +143,7 @@ Body body_without_stiffness() { return body_of(materials::NeoHookean{1e-9}, mate
 TEST(ElementTangent, MatchesDifferencesForEveryLawAndElement) {
   const meshes::HexahedralMesh mesh = meshes::box({2e-3, 4e-3, 2e-3}, {1, 2, 1});
   materials::for_each_law([&](const auto& law) {
-    for_each_element([&](int degree, Formulation formulation) {
+    for_each_kind_of_element([&](int degree, Formulation formulation) {
       SCOPED_TRACE(std::string(materials::name_of(law)) + ", degree " + std::to_string(degree));
       Equations equations(mesh, degree, body_of(law, materials::SimoTaylorVolume{1e6}, formulation), 0.0);
       expect_consistent(equations);
@@ -155,7 +155,7 @@ TEST(ElementTangent, MatchesDifferencesForEveryVolumetricEnergy) {
   const meshes::HexahedralMesh mesh = meshes::box({2e-3, 4e-3, 2e-3}, {1, 2, 1});
   for (const VolumetricLaw& volume :
        {VolumetricLaw{materials::QuadraticVolume{1e6}}, VolumetricLaw{materials::LogSquaredVolume{1e6}}}) {
-    for_each_element([&](int degree, Formulation formulation) {
+    for_each_kind_of_element([&](int degree, Formulation formulation) {
       Equations equations(mesh, degree, body_of(materials::NeoHookean{50e3}, volume, formulation), 0.0);
       expect_consistent(equations);
     });
@@ -209,7 +209,7 @@ TEST(GroundTangent, MatchesDifferences) {
 
 TEST(AssembledTangent, MatchesDifferencesWithEverythingAtOnce) {
   const meshes::HexahedralMesh mesh = cube_with_tube();
-  for_each_element([&](int degree, Formulation formulation) {
+  for_each_kind_of_element([&](int degree, Formulation formulation) {
     Body body = body_of(materials::Ogden<1>{{materials::OgdenTerm{25e3, 3.25}}}, materials::SimoTaylorVolume{1e6}, formulation);
     body.regions[0].density_kg_per_m3 = 1070.0;
     body.gravity_m_per_s2 = {0.5, 0.0, -9.81};
@@ -247,7 +247,7 @@ TEST(RigidMotion, LeavesTheEnergyAndTurnsTheForces) {
   const meshes::HexahedralMesh mesh = cube_with_tube();
   const materials::Tensor<double> Q = materials::rotation(2.0);
   const Point c{0.01, -0.03, 0.02};
-  for_each_element([&](int degree, Formulation formulation) {
+  for_each_kind_of_element([&](int degree, Formulation formulation) {
     Body body = body_of(materials::MooneyRivlin{20e3, 5e3}, materials::SimoTaylorVolume{2.5e6}, formulation);
     add_chambers(body, mesh);
     Equations equations(mesh, degree, body, 6e3);

@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* study = "seed = 1\n";
+constexpr const char* reevaluated_study = "seed = 1\n";
 
-Individual some_individual(std::uint64_t id) {
+Individual individual_of_id(std::uint64_t id) {
   RandomStream random(id, "individuals");
   Offspring born = random_offspring({}, random);
   return {id, 0, std::nullopt, 0, std::move(born.genome), std::move(born.phenotype)};
@@ -39,7 +39,7 @@ Reevaluation completed_run(const std::string& design, const std::string& protoco
 /// A folder of its own.
 class ArchiveReevaluations : public testing::Test {
  protected:
-  [[nodiscard]] RunArchive open() const { return RunArchive::open(file_, study, 3); }
+  [[nodiscard]] RunArchive open() const { return RunArchive::open(file_, reevaluated_study, 3); }
 
   /// Turns the archive into one of version 2.
   void make_old() const {
@@ -111,7 +111,7 @@ TEST_F(ArchiveReevaluations, AnOldArchiveIsReadAsItIsAndExtendedWhenItIsWritten)
   RunArchive::open_to_extend(file_).add_reevaluations(std::vector{completed_run("a", "protocol")});
   EXPECT_EQ(version(), 3) << "its study still has keys of earlier names";
   EXPECT_EQ(RunArchive::open_to_read(file_).reevaluations().size(), 1U);
-  EXPECT_EQ(RunArchive::open_to_read(file_).study(), study);
+  EXPECT_EQ(RunArchive::open_to_read(file_).study(), reevaluated_study);
 }
 
 TEST_F(ArchiveReevaluations, NoSearchGoesOnWithAnArchiveFromBeforeKeysHadTheirNames) {
@@ -200,7 +200,7 @@ TEST_F(ArchiveReevaluations, RowsThatContradictThemselvesAreDamage) {
 
 TEST_F(ArchiveReevaluations, DesignsWithAFitnessComeOncePerPhenotypeTheBestFirst) {
   RunArchive archive = open();
-  std::vector<Individual> born{some_individual(0), some_individual(1), some_individual(2), some_individual(3)};
+  std::vector<Individual> born{individual_of_id(0), individual_of_id(1), individual_of_id(2), individual_of_id(3)};
   born[2].phenotype = born[0].phenotype;
   const std::vector<PoolMember> members{{0, 0, 0.5, Knowledge::evaluated, std::nullopt, 1},
                                         {1, 0, 0.75, Knowledge::evaluated, std::nullopt, 0},

@@ -10,7 +10,7 @@
 namespace menger::evolution {
 namespace {
 
-OffspringOptions released(BodyPlan plan) {
+OffspringOptions released_options(BodyPlan plan) {
   OffspringOptions options;
   options.variation = {ActivationSet::released_code, OutputFunction::mutable_};
   options.decoder = {plan, {Expression::first_consumer_activated, AxisMap::zyx}};
@@ -22,7 +22,7 @@ TEST(Offspring, RandomOnesAreValidAndDecodeToTheirPhenotype) {
   for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
     RandomStream random(1, "births");
     for (const auto policy : {DisconnectedPolicy::reject, DisconnectedPolicy::allow}) {
-      OffspringOptions options = released(plan);
+      OffspringOptions options = released_options(plan);
       options.constraints.disconnected = policy;
       for (int sample = 0; sample < 30; ++sample) {
         const Offspring born = random_offspring(options, random);
@@ -36,7 +36,7 @@ TEST(Offspring, RandomOnesAreValidAndDecodeToTheirPhenotype) {
 
 TEST(Offspring, RejectionLeavesNoBodyThatFallsApart) {
   RandomStream random(2, "births");
-  OffspringOptions options = released(BodyPlan::fractal);
+  OffspringOptions options = released_options(BodyPlan::fractal);
   options.constraints.disconnected = DisconnectedPolicy::reject;
   Offspring individual = random_offspring(options, random);
   for (int generation = 0; generation < 200; ++generation) {
@@ -47,7 +47,7 @@ TEST(Offspring, RejectionLeavesNoBodyThatFallsApart) {
 
 TEST(Offspring, ConstraintsThatCannotBeMetAreAnErrorNotAnEndlessLoop) {
   RandomStream random(3, "births");
-  OffspringOptions options = released(BodyPlan::fractal);
+  OffspringOptions options = released_options(BodyPlan::fractal);
   options.constraints.smallest_body = 28;
   options.largest_draws = 50;
   EXPECT_THROW(random_offspring(options, random), io::InputError);
@@ -56,7 +56,7 @@ TEST(Offspring, ConstraintsThatCannotBeMetAreAnErrorNotAnEndlessLoop) {
 TEST(Offspring, ChildrenAreValidAndDifferFromTheirParentUnlessEveryTryFailed) {
   for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
     RandomStream random(4, "children");
-    const OffspringOptions options = released(plan);
+    const OffspringOptions options = released_options(plan);
     int equal = 0;
     for (int sample = 0; sample < 50; ++sample) {
       const Offspring parent = random_offspring(options, random);
@@ -75,7 +75,7 @@ TEST(Offspring, ChildrenAreValidAndDifferFromTheirParentUnlessEveryTryFailed) {
 
 TEST(Offspring, AParentIsCopiedWhenEveryTryFails) {
   RandomStream random(5, "failures");
-  OffspringOptions options = released(BodyPlan::fractal);
+  OffspringOptions options = released_options(BodyPlan::fractal);
   const Offspring parent = random_offspring(options, random);
   options.constraints.smallest_body = 28;
   const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
@@ -86,7 +86,7 @@ TEST(Offspring, AParentIsCopiedWhenEveryTryFails) {
 
 TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
   RandomStream random(6, "choice");
-  const OffspringOptions options = released(BodyPlan::nonfractal);
+  const OffspringOptions options = released_options(BodyPlan::nonfractal);
   const Offspring parent = random_offspring(options, random);
   std::array<int, 4> counts{};
   constexpr int samples = 3000;
@@ -108,7 +108,7 @@ TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
 }
 
 TEST(Offspring, SameStreamSameOffspring) {
-  const OffspringOptions options = released(BodyPlan::nonfractal);
+  const OffspringOptions options = released_options(BodyPlan::nonfractal);
   RandomStream first(7, "same");
   RandomStream second(7, "same");
   const Offspring a = random_offspring(options, first);

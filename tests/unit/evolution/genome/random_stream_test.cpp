@@ -14,7 +14,7 @@ namespace menger::evolution {
 namespace {
 
 /// Returns four standard deviations of the frequency of an event with this probability, over this number of draws.
-double tolerance(double probability, int draws) { return 4.0 * std::sqrt(probability * (1.0 - probability) / draws); }
+double share_tolerance(double probability, int draws) { return 4.0 * std::sqrt(probability * (1.0 - probability) / draws); }
 
 TEST(RandomStream, GivesThePublishedSequenceOfItsGenerator) {
   RandomStream random = RandomStream::from_text("xoshiro256** 1 2 3 4");
@@ -57,7 +57,7 @@ TEST(RandomStream, DrawsIntegersUniformly) {
   constexpr int draws = 60000;
   std::array<int, 6> counts{};
   for (int draw = 0; draw < draws; ++draw) ++counts.at(random.below(counts.size()));
-  for (const int count : counts) EXPECT_NEAR(count / static_cast<double>(draws), 1.0 / 6.0, tolerance(1.0 / 6.0, draws));
+  for (const int count : counts) EXPECT_NEAR(count / static_cast<double>(draws), 1.0 / 6.0, share_tolerance(1.0 / 6.0, draws));
   EXPECT_EQ(random.below(1), 0U);
 }
 
@@ -88,7 +88,7 @@ TEST(RandomStream, DrawsNormalDeviates) {
   }
   EXPECT_NEAR(sum / draws, 0.0, 4.0 / std::sqrt(draws));
   EXPECT_NEAR(squares / draws, 1.0, 4.0 * std::sqrt(2.0 / draws));
-  EXPECT_NEAR(within_one / static_cast<double>(draws), 0.682689, tolerance(0.682689, draws));
+  EXPECT_NEAR(within_one / static_cast<double>(draws), 0.682689, share_tolerance(0.682689, draws));
 }
 
 TEST(RandomStream, ShufflesIntoEveryOrderAlike) {
@@ -102,7 +102,7 @@ TEST(RandomStream, ShufflesIntoEveryOrderAlike) {
   }
   EXPECT_EQ(counts.size(), 6U);
   for (const auto& [order, count] : counts)
-    EXPECT_NEAR(count / static_cast<double>(draws), 1.0 / 6.0, tolerance(1.0 / 6.0, draws));
+    EXPECT_NEAR(count / static_cast<double>(draws), 1.0 / 6.0, share_tolerance(1.0 / 6.0, draws));
 }
 
 }  // namespace

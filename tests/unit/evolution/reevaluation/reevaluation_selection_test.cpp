@@ -13,7 +13,8 @@ using meshes::Polycube;
 Polycube body_of(const std::string& digits) { return Polycube::from_digits(3, 3, 3, digits); }
 
 /// Returns a body from its layers, the lowest first.
-Polycube layers(const std::string& first, const std::string& second = "000000000", const std::string& third = "000000000") {
+Polycube body_of_layers(const std::string& first, const std::string& second = "000000000",
+                        const std::string& third = "000000000") {
   return body_of(first + second + third);
 }
 
@@ -26,9 +27,9 @@ FitDesign design(std::uint64_t individual, const Polycube& body, double fitness)
 /// Returns bars and plates that are all different robots, the best first.
 std::vector<FitDesign> different_designs() {
   const std::vector<Polycube> bodies{
-      layers("100000000"), layers("110000000"), layers("111000000"), layers("110100000"),
-      layers("111100000"), layers("111010000"), layers("111110000"), layers("111111000"),
-      layers("111111100"), layers("111111010"), layers("111111110"), layers("111111111"),
+      body_of_layers("100000000"), body_of_layers("110000000"), body_of_layers("111000000"), body_of_layers("110100000"),
+      body_of_layers("111100000"), body_of_layers("111010000"), body_of_layers("111110000"), body_of_layers("111111000"),
+      body_of_layers("111111100"), body_of_layers("111111010"), body_of_layers("111111110"), body_of_layers("111111111"),
   };
   std::vector<FitDesign> designs;
   for (const Polycube& body : bodies) {
@@ -42,7 +43,7 @@ std::string nothing_against(const Polycube&) { return ""; }
 
 TEST(ReevaluationSelection, TakesTheBestDistinctOnesOnce) {
   std::vector<FitDesign> designs = different_designs();
-  designs.insert(designs.begin() + 1, design(7, layers("000000001"), 0.995));  // the first robot in another place
+  designs.insert(designs.begin() + 1, design(7, body_of_layers("000000001"), 0.995));  // the first robot in another place
   const Selection selection = choose_designs(designs, {.top = 3, .distinction = {.materials = false}}, nothing_against);
   EXPECT_EQ(selection.distinct, 12U);
   ASSERT_EQ(selection.chosen.size(), 3U);

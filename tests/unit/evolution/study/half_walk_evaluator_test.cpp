@@ -16,8 +16,8 @@ namespace {
 const std::atomic<bool> on{false};
 const std::atomic<bool> stopped{true};
 
-meshes::Polycube hook() { return meshes::Polycube::from_digits(2, 1, 2, "1110"); }
-meshes::Polycube bar() { return meshes::Polycube::from_digits(2, 1, 1, "11"); }
+meshes::Polycube small_hook() { return meshes::Polycube::from_digits(2, 1, 2, "1110"); }
+meshes::Polycube short_bar() { return meshes::Polycube::from_digits(2, 1, 1, "11"); }
 
 /// A study of six periods of which five are measured.
 class HalfWalks : public testing::Test {
@@ -52,10 +52,10 @@ TEST_F(HalfWalks, MeasureThePeriodsThatTheyHave) {
 }
 
 TEST_F(HalfWalks, AreWhatShortWalksAre) {
-  const Evaluation half = HalfWalkEvaluator(study_, nullptr).evaluate(hook(), 1, on);
+  const Evaluation half = HalfWalkEvaluator(study_, nullptr).evaluate(small_hook(), 1, on);
   ASSERT_EQ(half.status, io::RunStatus::completed) << half.reason;
   EXPECT_EQ(half.period_displacements_m.size(), 3U);
-  expect_equal(half, WalkEvaluator(first_half_of(study_)).evaluate(hook(), 1, on));
+  expect_equal(half, WalkEvaluator(first_half_of(study_)).evaluate(small_hook(), 1, on));
   EXPECT_NE(HalfWalkEvaluator(study_, nullptr).physics(), WalkEvaluator(first_half_of(study_)).physics());
 }
 
@@ -63,38 +63,38 @@ TEST_F(HalfWalks, GoOnToTheSameResultAsWholeOnes) {
   const auto paused = std::make_shared<PausedWalks>(2);
   const HalfWalkEvaluator halves(study_, paused);
   const WalkEvaluator whole(study_, paused);
-  const Evaluation half = halves.evaluate(hook(), 1, on);
-  auto walk = paused->take(hook());
+  const Evaluation half = halves.evaluate(small_hook(), 1, on);
+  auto walk = paused->take(small_hook());
   ASSERT_TRUE(walk);
   EXPECT_EQ(walk->result().steps, half.steps);
-  EXPECT_FALSE(paused->take(hook())) << "it is taken once";
-  paused->put(hook(), std::move(walk));
-  const Evaluation expected = WalkEvaluator(study_).evaluate(hook(), 1, on);
+  EXPECT_FALSE(paused->take(small_hook())) << "it is taken once";
+  paused->put(small_hook(), std::move(walk));
+  const Evaluation expected = WalkEvaluator(study_).evaluate(small_hook(), 1, on);
   EXPECT_EQ(whole.physics(), WalkEvaluator(study_).physics());
-  expect_equal(whole.evaluate(hook(), 1, on), expected);
+  expect_equal(whole.evaluate(small_hook(), 1, on), expected);
   EXPECT_GT(expected.steps, half.steps) << "the first half is among its steps";
-  EXPECT_FALSE(paused->take(hook()));
-  expect_equal(whole.evaluate(hook(), 1, on), expected);
+  EXPECT_FALSE(paused->take(small_hook()));
+  expect_equal(whole.evaluate(small_hook(), 1, on), expected);
   for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(half.period_displacements_m[n], expected.period_displacements_m[n]);
 }
 
 TEST_F(HalfWalks, TheOldestOfTooManyIsDropped) {
   PausedWalks paused(1);
-  paused.put(hook(), std::make_unique<WalkInParts>(walk_of(study_, hook())));
-  paused.put(bar(), std::make_unique<WalkInParts>(walk_of(study_, bar())));
-  EXPECT_FALSE(paused.take(hook()));
-  EXPECT_TRUE(paused.take(bar()));
-  paused.put(hook(), std::make_unique<WalkInParts>(walk_of(study_, hook())));
-  EXPECT_TRUE(paused.take(hook())) << "what was taken needs no place";
+  paused.put(small_hook(), std::make_unique<WalkInParts>(walk_of(study_, small_hook())));
+  paused.put(short_bar(), std::make_unique<WalkInParts>(walk_of(study_, short_bar())));
+  EXPECT_FALSE(paused.take(small_hook()));
+  EXPECT_TRUE(paused.take(short_bar()));
+  paused.put(small_hook(), std::make_unique<WalkInParts>(walk_of(study_, small_hook())));
+  EXPECT_TRUE(paused.take(small_hook())) << "what was taken needs no place";
 }
 
 TEST_F(HalfWalks, StopAndAreRefusedAsWholeOnes) {
   const auto paused = std::make_shared<PausedWalks>(2);
   const HalfWalkEvaluator halves(study_, paused);
-  EXPECT_EQ(halves.evaluate(hook(), 1, stopped).status, io::RunStatus::stopped);
-  EXPECT_FALSE(paused->take(hook()));
-  ASSERT_EQ(halves.evaluate(hook(), 1, on).status, io::RunStatus::completed);
-  EXPECT_EQ(WalkEvaluator(study_, paused).evaluate(hook(), 1, stopped).status, io::RunStatus::stopped);
+  EXPECT_EQ(halves.evaluate(small_hook(), 1, stopped).status, io::RunStatus::stopped);
+  EXPECT_FALSE(paused->take(small_hook()));
+  ASSERT_EQ(halves.evaluate(small_hook(), 1, on).status, io::RunStatus::completed);
+  EXPECT_EQ(WalkEvaluator(study_, paused).evaluate(small_hook(), 1, stopped).status, io::RunStatus::stopped);
   const meshes::Polycube apart = meshes::Polycube::from_digits(3, 1, 1, "101");
   expect_equal(halves.evaluate(apart, 1, on), WalkEvaluator(study_).evaluate(apart, 1, on));
 }

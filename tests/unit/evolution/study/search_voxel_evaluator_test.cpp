@@ -15,7 +15,7 @@
 namespace menger::evolution {
 namespace {
 
-const std::atomic<bool> never{false};
+const std::atomic<bool> not_stopped{false};
 const ThreadsNow one_thread = [] { return 1; };
 
 meshes::Polycube quadruped() { return meshes::Polycube::from_digits(3, 3, 3, "102000201111211112000000000"); }
@@ -23,9 +23,9 @@ meshes::Polycube quadruped() { return meshes::Polycube::from_digits(3, 3, 3, "10
 TEST(VoxelEvaluator, GivesTheNetDisplacementOfTheCentreOfMass) {
   voxel::Physics undriven;
   undriven.actuation.mode = voxel::ActuationMode::none;
-  const Evaluation still = VoxelEvaluator(undriven, 0.01, 0.05).evaluate(quadruped(), 1, never);
+  const Evaluation still = VoxelEvaluator(undriven, 0.01, 0.05).evaluate(quadruped(), 1, not_stopped);
   ASSERT_EQ(still.status, io::RunStatus::completed);
-  const Evaluation driven = VoxelEvaluator({}, 0.01, 0.05).evaluate(quadruped(), 1, never);
+  const Evaluation driven = VoxelEvaluator({}, 0.01, 0.05).evaluate(quadruped(), 1, not_stopped);
   ASSERT_EQ(driven.status, io::RunStatus::completed);
   EXPECT_LT(std::hypot((*still.displacement_m)[0], (*still.displacement_m)[1]), 1e-9);
   EXPECT_GT(std::hypot((*driven.displacement_m)[0], (*driven.displacement_m)[1]), 1e-6);
@@ -36,8 +36,8 @@ TEST(VoxelEvaluator, GivesTheNetDisplacementOfTheCentreOfMass) {
 TEST(VoxelEvaluator, IsPure) {
   const VoxelEvaluator evaluator({}, 0.01, 0.02);
   const meshes::Polycube body = meshes::fractal(quadruped(), 2);
-  const Evaluation first = evaluator.evaluate(body, 2, never);
-  const Evaluation second = evaluator.evaluate(body, 2, never);
+  const Evaluation first = evaluator.evaluate(body, 2, not_stopped);
+  const Evaluation second = evaluator.evaluate(body, 2, not_stopped);
   ASSERT_EQ(first.status, io::RunStatus::completed);
   EXPECT_EQ(first.displacement_m, second.displacement_m);
   EXPECT_EQ(first.steps, second.steps);
@@ -46,7 +46,7 @@ TEST(VoxelEvaluator, IsPure) {
 TEST(VoxelEvaluator, AFailedRunHasAReasonAndNoDisplacement) {
   voxel::Physics physics;
   physics.integration.time_step_fraction = 5.0;  // far beyond the limit of stability
-  const Evaluation result = VoxelEvaluator(physics, 0.01, 1.0).evaluate(quadruped(), 1, never);
+  const Evaluation result = VoxelEvaluator(physics, 0.01, 1.0).evaluate(quadruped(), 1, not_stopped);
   EXPECT_EQ(result.status, io::RunStatus::diverged);
   EXPECT_FALSE(result.displacement_m);
   EXPECT_NE(result.reason.find("voxel"), std::string::npos) << result.reason;
@@ -74,9 +74,9 @@ TEST(VoxelEvaluator, PhysicsTextNamesEverythingThatDecides) {
 
 TEST(VoxelEvaluator, DisplacementCountsFromTheTimeThatIsAskedFor) {
   // Two whole evaluations, one ending at the start of the window and one at its end. Their steps are the same.
-  const Evaluation whole = VoxelEvaluator({}, 0.01, 0.05).evaluate(quadruped(), 1, never);
-  const Evaluation start = VoxelEvaluator({}, 0.01, 0.02).evaluate(quadruped(), 1, never);
-  const Evaluation window = VoxelEvaluator({}, 0.01, 0.05, 0.02).evaluate(quadruped(), 1, never);
+  const Evaluation whole = VoxelEvaluator({}, 0.01, 0.05).evaluate(quadruped(), 1, not_stopped);
+  const Evaluation start = VoxelEvaluator({}, 0.01, 0.02).evaluate(quadruped(), 1, not_stopped);
+  const Evaluation window = VoxelEvaluator({}, 0.01, 0.05, 0.02).evaluate(quadruped(), 1, not_stopped);
   ASSERT_EQ(window.status, io::RunStatus::completed);
   EXPECT_EQ(window.steps, whole.steps);
   EXPECT_EQ(window.left_out_m, start.displacement_m);
@@ -98,7 +98,7 @@ TEST(VoxelEvaluator, AWindowIsPartOfThePhysicsOnlyWhereThereIsOne) {
 TEST(VoxelEvaluator, OneThatDivergesBeforeItCountsHasNothingLeftOut) {
   voxel::Physics physics;
   physics.integration.time_step_fraction = 5.0;  // far beyond the limit of stability
-  const Evaluation result = VoxelEvaluator(physics, 0.01, 1.0, 0.9).evaluate(quadruped(), 1, never);
+  const Evaluation result = VoxelEvaluator(physics, 0.01, 1.0, 0.9).evaluate(quadruped(), 1, not_stopped);
   EXPECT_EQ(result.status, io::RunStatus::diverged);
   EXPECT_FALSE(result.displacement_m);
   EXPECT_FALSE(result.left_out_m);
@@ -128,10 +128,10 @@ std::vector<const EvaluationTask*> pointers_to(const std::vector<EvaluationTask>
 
 void expect_same_as_alone(const VoxelEvaluator& evaluator) {
   const std::vector<EvaluationTask> tasks = generation();
-  const std::vector<Evaluation> together = evaluator.evaluate_together(pointers_to(tasks), never, one_thread);
+  const std::vector<Evaluation> together = evaluator.evaluate_together(pointers_to(tasks), not_stopped, one_thread);
   ASSERT_EQ(together.size(), tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const Evaluation alone = evaluator.evaluate(tasks[i].body, tasks[i].level, never);
+    const Evaluation alone = evaluator.evaluate(tasks[i].body, tasks[i].level, not_stopped);
     EXPECT_EQ(together[i].status, alone.status) << i;
     EXPECT_EQ(together[i].displacement_m, alone.displacement_m) << i;
     EXPECT_EQ(together[i].left_out_m, alone.left_out_m) << i;
@@ -156,7 +156,7 @@ TEST(VoxelEvaluator, GivesTogetherWhatItGivesAloneWhereSomeDiverge) {
   physics.integration.time_step_fraction = 1.5;
   const VoxelEvaluator evaluator(physics, 0.01, 0.2, 0.05);
   std::size_t diverged = 0;
-  for (const Evaluation& result : evaluator.evaluate_together(pointers_to(generation()), never, one_thread)) {
+  for (const Evaluation& result : evaluator.evaluate_together(pointers_to(generation()), not_stopped, one_thread)) {
     if (result.status == io::RunStatus::diverged) ++diverged;
   }
   EXPECT_GT(diverged, 0U);
@@ -180,9 +180,9 @@ TEST(VoxelEvaluator, GivesTheSameOfALargeBodyWhileThreadsComeAndGo) {
   const EvaluationTask* const alone[] = {&task};
   int asked = 0;
   const ThreadsNow changing = [&] { return 1 + asked++ % 3; };
-  const Evaluation shared = evaluator.evaluate_together(alone, never, changing).front();
+  const Evaluation shared = evaluator.evaluate_together(alone, not_stopped, changing).front();
   EXPECT_GE(asked, 3) << "and once more to hand a thread back";
-  const Evaluation result = evaluator.evaluate(task.body, task.level, never);
+  const Evaluation result = evaluator.evaluate(task.body, task.level, not_stopped);
   ASSERT_EQ(result.status, io::RunStatus::completed);
   EXPECT_EQ(shared.status, result.status);
   EXPECT_EQ(shared.displacement_m, result.displacement_m);
@@ -220,12 +220,13 @@ TEST(VoxelEvaluator, LargerBodiesCostMore) {
 
 TEST(VoxelEvaluator, MeasuresTheLastPeriods) {
   const LastPeriods last{.period_s = 0.01, .count = 4};
-  const Evaluation whole = VoxelEvaluator({}, 0.01, 0.055).evaluate(quadruped(), 1, never);
-  const Evaluation result = VoxelEvaluator({}, 0.01, 0.055, 0.0, last).evaluate(quadruped(), 1, never);
+  const Evaluation whole = VoxelEvaluator({}, 0.01, 0.055).evaluate(quadruped(), 1, not_stopped);
+  const Evaluation result = VoxelEvaluator({}, 0.01, 0.055, 0.0, last).evaluate(quadruped(), 1, not_stopped);
   ASSERT_EQ(result.status, io::RunStatus::completed);
   EXPECT_EQ(result.steps, whole.steps) << "to look at it changes no step";
   ASSERT_EQ(result.period_displacements_m.size(), 5U);
-  EXPECT_EQ(result.period_displacements_m[0], VoxelEvaluator({}, 0.01, 0.01).evaluate(quadruped(), 1, never).displacement_m);
+  EXPECT_EQ(result.period_displacements_m[0],
+            VoxelEvaluator({}, 0.01, 0.01).evaluate(quadruped(), 1, not_stopped).displacement_m);
   EXPECT_EQ(result.displacement_m, steady_displacement_m(result.period_displacements_m, last));
   for (std::size_t axis = 0; axis < 3; ++axis)
     EXPECT_NEAR((*result.displacement_m)[axis] + (*result.left_out_m)[axis], (*whole.displacement_m)[axis], 1e-16);

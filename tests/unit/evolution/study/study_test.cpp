@@ -387,7 +387,7 @@ TEST_F(StudyFile, StudiesOfThePaperAreValid) {
   EXPECT_EQ(plan_of("non_fractal"), BodyPlan::nonfractal);
   EXPECT_EQ(read_study(paper / "phase_wave/study.toml").physics.actuation.mode, voxel::ActuationMode::wave);
   EXPECT_EQ(read_study(paper / "single_actuator/study.toml").physics.actuation.mode, voxel::ActuationMode::in_phase);
-  EXPECT_EQ(read_study(paper / "demo/study.toml").search.generations, 12);
+  EXPECT_EQ(read_study(paper / "demo/study.toml").search.generations, 8);
   for (const std::string name : {"fractal", "non_fractal", "phase_wave", "single_actuator"}) {
     Study full = read_study(paper / name / "study.toml");
     const Study small = read_study(paper / name / "small.toml");

@@ -10,12 +10,12 @@
 namespace menger::fem {
 namespace {
 
-constexpr double edge = 2e-3;
+constexpr double cube_edge = 2e-3;
 constexpr double rounding = 1e-9;  // of an edge
 
 /// Two blocks of 4 x 4 x 2 cubes, one above the other, 4 mm apart.
 meshes::HexahedralMesh separate_blocks() {
-  return body_of_cubes({4, 4, 6}, edge, [](std::size_t, std::size_t, std::size_t k) { return k < 2 || k >= 4; });
+  return body_of_cubes({4, 4, 6}, cube_edge, [](std::size_t, std::size_t, std::size_t k) { return k < 2 || k >= 4; });
 }
 
 /// Displacements that bring nodes to where a map puts them.
@@ -47,32 +47,32 @@ TEST(BodyOverlap, BlocksAreAsDeepAsTheyWerePushed) {
     const auto lowered = [&](double by) {
       return displacements(mesh, [&](const Point& X) { return turned(X[2] > 7e-3 ? sum(X, {0.0, 0.0, -by}) : X, angle); });
     };
-    EXPECT_FALSE(search.find(lowered(2.0 * edge - 1e-6), rounding));
+    EXPECT_FALSE(search.find(lowered(2.0 * cube_edge - 1e-6), rounding));
     for (const double share : {0.01, 0.3, 0.7}) {
-      const auto overlap = search.find(lowered((2.0 + share) * edge), rounding);
+      const auto overlap = search.find(lowered((2.0 + share) * cube_edge), rounding);
       ASSERT_TRUE(overlap) << share;
       EXPECT_EQ(overlap->pairs, 16U);
-      EXPECT_NEAR(overlap->depth_m, share * edge, rounding * edge);
+      EXPECT_NEAR(overlap->depth_m, share * cube_edge, rounding * cube_edge);
       EXPECT_NEAR(overlap->share, share, rounding);
-      EXPECT_FALSE(search.find(lowered((2.0 + share) * edge), share + rounding));
+      EXPECT_FALSE(search.find(lowered((2.0 + share) * cube_edge), share + rounding));
     }
-    EXPECT_NEAR(search.find(lowered(3.0 * edge), rounding)->share, 1.0, rounding);
+    EXPECT_NEAR(search.find(lowered(3.0 * cube_edge), rounding)->share, 1.0, rounding);
   }
 }
 
 // The lower block pressed flat to a third of its height, the upper one lowered until it is a fifth of an edge in it.
 TEST(BodyOverlap, DepthIsMeasuredByTheThinnerElementAsItIs) {
   const meshes::HexahedralMesh mesh = separate_blocks();
-  const double top = 2.0 / 3.0 * edge;
+  const double top = 2.0 / 3.0 * cube_edge;
   const auto overlap = BodyOverlapSearch(mesh).find(
       displacements(mesh,
                     [&](const Point& X) {
                       const bool is_upper = X[2] > 7e-3;
-                      return Point{X[0], X[1], is_upper ? X[2] - 4.0 * edge + top - 0.2 * edge : X[2] / 3.0};
+                      return Point{X[0], X[1], is_upper ? X[2] - 4.0 * cube_edge + top - 0.2 * cube_edge : X[2] / 3.0};
                     }),
       rounding);
   ASSERT_TRUE(overlap);
-  EXPECT_NEAR(overlap->depth_m, 0.2 * edge, rounding * edge);
+  EXPECT_NEAR(overlap->depth_m, 0.2 * cube_edge, rounding * cube_edge);
   EXPECT_NEAR(overlap->share, 0.6, 10.0 * rounding);
 }
 
@@ -80,17 +80,17 @@ TEST(BodyOverlap, DepthIsMeasuredByTheThinnerElementAsItIs) {
 // node is behind a face, so that contact does not feel them. The depth is the height by which they cross.
 TEST(BodyOverlap, EdgesThatCrossBetweenNodesAreFound) {
   const meshes::HexahedralMesh mesh =
-      body_of_cubes({3, 1, 3}, edge, [](std::size_t, std::size_t, std::size_t k) { return k != 1; });
-  const double depth = 0.1 * edge;
+      body_of_cubes({3, 1, 3}, cube_edge, [](std::size_t, std::size_t, std::size_t k) { return k != 1; });
+  const double depth = 0.1 * cube_edge;
   const auto crossed = [&](const Point& X) {
-    const bool is_upper = X[2] > 1.5 * edge;
+    const bool is_upper = X[2] > 1.5 * cube_edge;
     // Along the bar from its middle, and across it turned by 45 degrees.
-    const double along = X[0] - 1.5 * edge;
-    const double y = X[1] - 0.5 * edge;
-    const double z = X[2] - (is_upper ? 2.5 : 0.5) * edge;
+    const double along = X[0] - 1.5 * cube_edge;
+    const double y = X[1] - 0.5 * cube_edge;
+    const double z = X[2] - (is_upper ? 2.5 : 0.5) * cube_edge;
     const double across = (y - z) / std::numbers::sqrt2;
     const double up = (y + z) / std::numbers::sqrt2;
-    const double half_diagonal = edge / std::numbers::sqrt2;
+    const double half_diagonal = cube_edge / std::numbers::sqrt2;
     return is_upper ? Point{across, along, up + half_diagonal - depth} : Point{along, across, up - half_diagonal};
   };
   SelfContact contact(mesh, 6e7);
@@ -99,18 +99,18 @@ TEST(BodyOverlap, EdgesThatCrossBetweenNodesAreFound) {
   const auto overlap = BodyOverlapSearch(mesh).find(displacements(mesh, crossed), rounding);
   ASSERT_TRUE(overlap);
   EXPECT_EQ(overlap->pairs, 1U);
-  EXPECT_NEAR(overlap->depth_m, depth, rounding * edge);
+  EXPECT_NEAR(overlap->depth_m, depth, rounding * cube_edge);
 }
 
 // Two plates of one element, one across the other: whichever way their elements lie, some pair is in each other by half a wall.
 TEST(BodyOverlap, PlatesThatCrossAreHalfAWallDeep) {
   const meshes::HexahedralMesh mesh =
-      body_of_cubes({4, 4, 3}, edge, [](std::size_t, std::size_t, std::size_t k) { return k != 1; });
+      body_of_cubes({4, 4, 3}, cube_edge, [](std::size_t, std::size_t, std::size_t k) { return k != 1; });
   const BodyOverlapSearch search(mesh);
   for (const double shift : {0.0, 0.25, 0.5, 0.75}) {
     const auto overlap = search.find(displacements(mesh, [&](const Point& X) {
-      if (X[2] < 1.5 * edge) return X;
-      return Point{X[2] - 0.5 * edge, X[1] + 0.1 * edge, X[0] - (1.5 + shift) * edge};
+      if (X[2] < 1.5 * cube_edge) return X;
+      return Point{X[2] - 0.5 * cube_edge, X[1] + 0.1 * cube_edge, X[0] - (1.5 + shift) * cube_edge};
     }));
     ASSERT_TRUE(overlap) << shift;
     EXPECT_GE(overlap->share, 0.5 - rounding) << shift;
@@ -120,10 +120,10 @@ TEST(BodyOverlap, PlatesThatCrossAreHalfAWallDeep) {
 // Pairs are found wherever they lie: clouds of cubes, against each pair by itself.
 TEST(BodyOverlap, MissesNoPair) {
   const meshes::HexahedralMesh mesh = body_of_cubes(
-      {9, 5, 5}, edge, [](std::size_t i, std::size_t j, std::size_t k) { return i % 2 == 0 && j % 2 == 0 && k % 2 == 0; });
+      {9, 5, 5}, cube_edge, [](std::size_t i, std::size_t j, std::size_t k) { return i % 2 == 0 && j % 2 == 0 && k % 2 == 0; });
   const BodyOverlapSearch search(mesh);
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    const std::vector<double> ways = random_numbers(3 * mesh.elements.size(), 1.5 * edge, seed);
+    const std::vector<double> ways = random_numbers(3 * mesh.elements.size(), 1.5 * cube_edge, seed);
     std::vector<double> u(3 * mesh.points.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
       for (const std::size_t node : mesh.elements[e])
@@ -132,11 +132,11 @@ TEST(BodyOverlap, MissesNoPair) {
     double deepest = 0.0;
     for (std::size_t a = 0; a < mesh.elements.size(); ++a) {
       for (std::size_t b = a + 1; b < mesh.elements.size(); ++b) {
-        double depth = edge;  // of cubes along the axes
+        double depth = cube_edge;  // of cubes along the axes
         for (std::size_t i = 0; i < 3; ++i)
-          depth = std::min(depth, edge - std::abs(mesh.points[mesh.elements[a][0]][i] + ways[3 * a + i] -
-                                                  mesh.points[mesh.elements[b][0]][i] - ways[3 * b + i]));
-        pairs += depth > 0.2 * edge ? 1 : 0;
+          depth = std::min(depth, cube_edge - std::abs(mesh.points[mesh.elements[a][0]][i] + ways[3 * a + i] -
+                                                       mesh.points[mesh.elements[b][0]][i] - ways[3 * b + i]));
+        pairs += depth > 0.2 * cube_edge ? 1 : 0;
         deepest = std::max(deepest, depth);
       }
     }
@@ -144,7 +144,7 @@ TEST(BodyOverlap, MissesNoPair) {
     const auto overlap = search.find(u, 0.2);
     ASSERT_TRUE(overlap);
     EXPECT_EQ(overlap->pairs, pairs);
-    EXPECT_NEAR(overlap->depth_m, deepest, rounding * edge);
+    EXPECT_NEAR(overlap->depth_m, deepest, rounding * cube_edge);
   }
 }
 

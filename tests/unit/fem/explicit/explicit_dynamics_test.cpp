@@ -15,7 +15,7 @@ namespace {
 using tests::message_of;
 
 /// Everything that there is: pressure, weight, ground, friction, both kinds of damping.
-ExplicitOptions everything() {
+ExplicitOptions every_term() {
   ExplicitOptions options;
   options.schedules = {{SinePressure{.high_Pa = 4e3, .frequency_Hz = 50.0}, 0.0}};
   options.loads.gravity_m_per_s2 = {1.0, 0.0, -9.81};
@@ -40,7 +40,7 @@ Outcome run(const ExplicitOptions& options, const std::vector<double>& times) {
 }
 
 TEST(ExplicitDynamics, ResultsDoNotDependOnThreads) {
-  ExplicitOptions options = everything();
+  ExplicitOptions options = every_term();
   const Outcome one = run(options, {0.004});
   for (const int threads : {2, 3}) {
     options.threads = threads;
@@ -55,11 +55,11 @@ TEST(ExplicitDynamics, ResultsDoNotDependOnThreads) {
 TEST(ExplicitDynamics, GoesOnFromAStateAsIfNothingHadHappened) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const ExplicitBody body(mesh, silicone_options(mesh, 2.0));
-  ExplicitDynamics first(mesh, body, everything());
+  ExplicitDynamics first(mesh, body, every_term());
   ASSERT_EQ(first.advance_to(0.002).status, io::RunStatus::completed);
   const ExplicitState middle = first.state();
   ASSERT_EQ(first.advance_to(0.004).status, io::RunStatus::completed);
-  ExplicitDynamics second(mesh, body, everything());
+  ExplicitDynamics second(mesh, body, every_term());
   second.set_state(middle);
   ASSERT_EQ(second.advance_to(0.004).status, io::RunStatus::completed);
   EXPECT_EQ(first.state().displacements_m, second.state().displacements_m);
@@ -95,8 +95,8 @@ TEST(ExplicitDynamics, RefusesAStateThatIsInsideOut) {
 TEST(ExplicitDynamics, LookingChangesNothing) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const ExplicitBody body(mesh, silicone_options(mesh));
-  ExplicitDynamics looked(mesh, body, everything());
-  ExplicitDynamics alone(mesh, body, everything());
+  ExplicitDynamics looked(mesh, body, every_term());
+  ExplicitDynamics alone(mesh, body, every_term());
   const std::vector<double> times{0.001, 0.002};
   static_cast<void>(follow(looked, times, [](ExplicitDynamics& at) {
     static_cast<void>(at.energies());
@@ -167,7 +167,7 @@ TEST(ExplicitDynamics, RefusesBadOptions) {
   const meshes::HexahedralMesh mesh = hollow_cube();
   const ExplicitBody body(mesh, silicone_options(mesh));
   const auto message = [&](const auto& change) {
-    ExplicitOptions options = everything();
+    ExplicitOptions options = every_term();
     change(options);
     return message_of([&] { ExplicitDynamics(mesh, body, options); });
   };

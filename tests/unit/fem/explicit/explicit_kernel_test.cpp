@@ -38,9 +38,9 @@ std::string description(const ExplicitKernels& kernels, const ExplicitMaterial& 
 }
 
 /// 27 boxes with edges of 1, 1.1 and 0.9, 1/3 of each: the last batch of any width is not full.
-meshes::HexahedralMesh blocks() { return meshes::box({1.0, 1.1, 0.9}, {3, 3, 3}); }
+meshes::HexahedralMesh box_of_blocks() { return meshes::box({1.0, 1.1, 0.9}, {3, 3, 3}); }
 
-double largest(const std::vector<double>& values) {
+double largest_magnitude(const std::vector<double>& values) {
   double result = 0.0;
   for (const double value : values) result = std::max(result, std::abs(value));
   return result;
@@ -56,7 +56,7 @@ TEST(InverseCubeRoot, IsAccurateToRounding) {
 
 // The implicit elements know nothing of boxes: their gradients come from the Jacobian.
 TEST(ExplicitKernels, ForcesAndEnergyAreThoseOfTheImplicitElements) {
-  const meshes::HexahedralMesh mesh = blocks();
+  const meshes::HexahedralMesh mesh = box_of_blocks();
   const std::vector<double> displacements = random_numbers(3 * mesh.points.size(), 0.06, 1);
   for (const ExplicitKernels& kernels : available_explicit_kernels()) {
     for (const ExplicitMaterial& material : all_materials()) {
@@ -82,14 +82,15 @@ TEST(ExplicitKernels, ForcesAndEnergyAreThoseOfTheImplicitElements) {
           for (std::size_t i = 0; i < 3; ++i) expected[3 * corners[c] + i] += response.residual[3 * c + i];
       }
       const std::vector<double> forces = internal_forces(body, {displacements.data()});
-      for (std::size_t n = 0; n < forces.size(); ++n) ASSERT_NEAR(forces[n], expected[n], 1e-12 * largest(expected)) << n;
+      for (std::size_t n = 0; n < forces.size(); ++n)
+        ASSERT_NEAR(forces[n], expected[n], 1e-12 * largest_magnitude(expected)) << n;
       EXPECT_NEAR(strain_energy_J(body, displacements), energy, 1e-12 * energy);
     }
   }
 }
 
 TEST(ExplicitKernels, ViscousForceOfSimpleShearIsThatOfAFluid) {
-  const meshes::HexahedralMesh mesh = blocks();
+  const meshes::HexahedralMesh mesh = box_of_blocks();
   constexpr double viscosity = 7.0;
   constexpr double rate = 3.0;
   const std::vector<double> rest(3 * mesh.points.size(), 0.0);
@@ -119,7 +120,7 @@ TEST(ExplicitKernels, ViscousForceOfSimpleShearIsThatOfAFluid) {
 
 // d is zero for any deformed body that turns, and its trace does not count.
 TEST(ExplicitKernels, ViscousForceIgnoresRotationAndDilation) {
-  const meshes::HexahedralMesh mesh = blocks();
+  const meshes::HexahedralMesh mesh = box_of_blocks();
   const std::vector<double> displacements = random_numbers(3 * mesh.points.size(), 0.05, 2);
   const Point spin{1.0, -2.0, 0.5};
   std::vector<double> velocities;
@@ -135,13 +136,13 @@ TEST(ExplicitKernels, ViscousForceIgnoresRotationAndDilation) {
         mesh, {.regions = {{viscous, 1.0}}, .supports = {}, .point_supports = {}, .elements = ThreeFieldOptions{kernels}});
     const std::vector<double> with = internal_forces(body, {displacements.data(), velocities.data()});
     const std::vector<double> without = internal_forces(body, {displacements.data()});
-    for (std::size_t n = 0; n < with.size(); ++n) EXPECT_NEAR(with[n], without[n], 1e-12 * largest(without));
+    for (std::size_t n = 0; n < with.size(); ++n) EXPECT_NEAR(with[n], without[n], 1e-12 * largest_magnitude(without));
   }
 }
 
 // On a deformed body the power of the viscous forces must still be what is called dissipated, and positive.
 TEST(ExplicitKernels, DissipationIsThePowerOfTheViscousForce) {
-  const meshes::HexahedralMesh mesh = blocks();
+  const meshes::HexahedralMesh mesh = box_of_blocks();
   const std::vector<double> displacements = random_numbers(3 * mesh.points.size(), 0.05, 3);
   const std::vector<double> velocities = random_numbers(3 * mesh.points.size(), 1.0, 4);
   for (const materials::HyperelasticLaw& law : {materials::HyperelasticLaw{materials::NeoHookean{50e3}},
@@ -165,7 +166,7 @@ TEST(ExplicitKernels, DissipationIsThePowerOfTheViscousForce) {
 }
 
 TEST(ExplicitKernels, AnswersThatDoNotExistAreReported) {
-  const meshes::HexahedralMesh mesh = blocks();
+  const meshes::HexahedralMesh mesh = box_of_blocks();
   for (const ExplicitKernels& kernels : available_explicit_kernels()) {
     const ExplicitMaterial gent{materials::Gent{46e3, 20.0}, materials::SimoTaylorVolume{1e6}, 0.0};
     const ExplicitBody body(

@@ -38,7 +38,7 @@ ExplicitBodyOptions walls_of(const meshes::HexahedralMesh& mesh, const ThinWallO
 ThinWallOptions in(Precision precision) { return {.precision = precision, .constants = {}}; }
 
 /// Different pressures in both chambers, weight and ground.
-ExplicitOptions everything() {
+ExplicitOptions all_terms() {
   ExplicitOptions options;
   options.schedules = {{SinePressure{.high_Pa = 4e3, .frequency_Hz = 50.0}, 0.0},
                        {SinePressure{.high_Pa = 6e3, .frequency_Hz = 40.0}, 0.25}};
@@ -141,7 +141,7 @@ TEST(ThinWallElements, EnergyBalanceCloses) {
   std::array<double, 2> worst{};
   double wall_pressure_J = 0.0;
   for (std::size_t n = 0; n < 2; ++n) {
-    ExplicitOptions options = everything();
+    ExplicitOptions options = all_terms();
     options.step_safety = n == 0 ? 0.8 : 0.4;
     ExplicitDynamics dynamics(mesh, body, options);
     for (int k = 1; k <= 20; ++k) {
@@ -161,7 +161,7 @@ TEST(ThinWallElements, SinglePrecisionGoesWhereDoublePrecisionGoes) {
   std::vector<std::vector<double>> places;
   for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
     const ExplicitBody body(mesh, walls_of(mesh, in(precision), 1.0));
-    ExplicitDynamics dynamics(mesh, body, everything());
+    ExplicitDynamics dynamics(mesh, body, all_terms());
     ASSERT_EQ(dynamics.advance_to(0.02).status, io::RunStatus::completed);
     places.push_back(dynamics.state().displacements_m);
   }
@@ -233,7 +233,7 @@ TEST(ThinWallElements, InstructionSetsAgree) {
 TEST(ThinWallElements, ResultsDoNotDependOnThreadsNorOnAnInterruption) {
   const meshes::HexahedralMesh mesh = two_chambers();
   const ExplicitBody body(mesh, walls_of(mesh, in(Precision::single_precision), 1.0));
-  ExplicitOptions options = everything();
+  ExplicitOptions options = all_terms();
   ExplicitDynamics whole(mesh, body, options);
   ASSERT_EQ(whole.advance_to(0.004).status, io::RunStatus::completed);
   const ExplicitState middle = whole.state();

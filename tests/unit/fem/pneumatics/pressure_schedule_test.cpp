@@ -18,7 +18,7 @@
 namespace menger::fem {
 namespace {
 
-const std::vector<std::string> plena{"plenum 0", "plenum 1"};
+const std::vector<std::string> two_plena{"plenum 0", "plenum 1"};
 
 /// A schedule in a table of its own.
 struct StudySchedule {
@@ -29,7 +29,7 @@ struct StudySchedule {
 void describe(io::StudyVisitor& visitor, StudySchedule& study) { describe(visitor, study.schedule, study.file); }
 
 /// @param folder of the study, from which it counts paths
-StudySchedule read(const std::string& text, const std::filesystem::path& folder = {}) {
+StudySchedule read_schedule(const std::string& text, const std::filesystem::path& folder = {}) {
   StudySchedule schedule;
   io::read_described(io::parse_toml(text, folder / "study.toml"), schedule);
   return schedule;
@@ -75,28 +75,29 @@ TEST(PressureSchedule, RampFadesIn) {
 }
 
 TEST(PressureSchedule, FilesGiveItsMembers) {
-  const PlenumSchedule sine = read("schedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 3\nramp_s = 0.1\n").schedule;
+  const PlenumSchedule sine = read_schedule("schedule = 'sine'\nhigh_Pa = 6e3\nfrequency_Hz = 3\nramp_s = 0.1\n").schedule;
   EXPECT_NEAR(pressure_Pa(sine, 0.5), 6e3, 1e-9);
   EXPECT_EQ(sine.ramp_s, 0.1);
   const PlenumSchedule square =
-      read("schedule = 'square'\nlow_Pa = 1\nhigh_Pa = 3\nfrequency_Hz = 1\nduty = 0.4\nrise_s = 0.1\nphase = 0.05\n").schedule;
+      read_schedule("schedule = 'square'\nlow_Pa = 1\nhigh_Pa = 3\nfrequency_Hz = 1\nduty = 0.4\nrise_s = 0.1\nphase = 0.05\n")
+          .schedule;
   EXPECT_DOUBLE_EQ(pressure_Pa(square, 0.0), 2.0);
 }
 
 TEST(PressureSchedule, TablesComeFromCsvOrStandInTheStudy) {
   const tests::TestFolder folder;
   io::write_whole(folder / "schedule.csv", "time_s,pressure_Pa\n0,0\n0.5,4000\n");
-  const StudySchedule study = read("schedule = 'table'\nfile = 'schedule.csv'\n", folder);
+  const StudySchedule study = read_schedule("schedule = 'table'\nfile = 'schedule.csv'\n", folder);
   EXPECT_NEAR(pressure_Pa(study.schedule, 0.25), 2e3, 1e-9);
   EXPECT_EQ(study.file, folder / "schedule.csv");
   const std::string text = io::described_text(study);
   EXPECT_EQ(text, "schedule = \"table\"\ntimes_s = [0, 0.5]\npressures_Pa = [0, 4000]\nramp_s = 0\n");
-  EXPECT_EQ(io::described_text(read(text)), text);
-  EXPECT_FALSE(read(text).file);
+  EXPECT_EQ(io::described_text(read_schedule(text)), text);
+  EXPECT_FALSE(read_schedule(text).file);
 }
 
 TEST(PressureSchedule, TemplateAndTextsAreRead) {
-  const auto parse = [](const std::string& text) { return read(text); };
+  const auto parse = [](const std::string& text) { return read_schedule(text); };
   tests::expect_template_is_read<StudySchedule>(parse);
   tests::expect_texts_are_read_back<StudySchedule>(parse);
 }
@@ -123,18 +124,18 @@ TEST(PressureSchedule, BadInputNamesKeyAndValue) {
            {"schedule = 'table'\ntimes_s = [0, 1]\npressures_Pa = [0]\n",
             "pressures_Pa = [...]: must have as many values as times_s"},
            {"schedule = 'table'\ntimes_s = [0, 1, 1]\npressures_Pa = [0, 1, 2]\n", "times_s[3] = 1: must be later"}}) {
-    const std::string message = message_of([&, keys = std::string(text)] { (void)read(keys); });
+    const std::string message = message_of([&, keys = std::string(text)] { (void)read_schedule(keys); });
     EXPECT_NE(message.find(part), std::string::npos) << message;
   }
 }
 
 TEST(PressureSchedule, StepsMustResolveIt) {
   const std::vector<PlenumSchedule> schedules{{ConstantPressure{1.0}}, {SinePressure{.high_Pa = 1.0, .frequency_Hz = 100.0}}};
-  EXPECT_EQ(message_of([&] { check_resolved(schedules, plena, 4e-4); }), "no error");
-  EXPECT_NE(message_of([&] { check_resolved(schedules, plena, 6e-4); }).find("plenum \"plenum 1\": a period of 0.01 s"),
+  EXPECT_EQ(message_of([&] { check_resolved(schedules, two_plena, 4e-4); }), "no error");
+  EXPECT_NE(message_of([&] { check_resolved(schedules, two_plena, 6e-4); }).find("plenum \"plenum 1\": a period of 0.01 s"),
             std::string::npos);
   const auto message = [&](const PlenumSchedule& schedule, double step) {
-    return message_of([&] { check_resolved(std::vector<PlenumSchedule>{schedule}, plena, step); });
+    return message_of([&] { check_resolved(std::vector<PlenumSchedule>{schedule}, two_plena, step); });
   };
   const PlenumSchedule square{SquarePressure{.high_Pa = 1.0, .frequency_Hz = 1.0, .rise_s = 1e-3}};
   EXPECT_EQ(message(square, 4e-4), "no error");

@@ -43,7 +43,7 @@ Reached move_tip(Equilibrium& equilibrium, const PlateMotion& motion) {
   return follow(equilibrium, {.plates = {{}, {.values = {{}, motion}}}});
 }
 
-void expect_near(const Point& computed, const Point& expected, double tolerance) {
+void expect_near_point(const Point& computed, const Point& expected, double tolerance) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(computed[i], expected[i], tolerance) << "component " << i;
 }
 
@@ -51,16 +51,16 @@ TEST(PlateMotion, TurnsPointsAboutTheCentreByTheRightHandRule) {
   const Plate plate{.centre = {1.0, 2.0, 3.0}};
   const PlateMotion motion{.displacement_m = {0.5, 0.0, 0.0}, .rotation_rad = {0.0, 0.0, 0.5 * std::numbers::pi}};
   // (1, 0, 0) from the centre goes to (0, 1, 0)
-  expect_near(plate_displacement(plate, motion, {2.0, 2.0, 3.0}), {0.5 - 1.0, 1.0, 0.0}, 1e-15);
-  expect_near(plate_displacement(plate, motion, plate.centre), {0.5, 0.0, 0.0}, 0.0);
+  expect_near_point(plate_displacement(plate, motion, {2.0, 2.0, 3.0}), {0.5 - 1.0, 1.0, 0.0}, 1e-15);
+  expect_near_point(plate_displacement(plate, motion, plate.centre), {0.5, 0.0, 0.0}, 0.0);
 }
 
 TEST(PlateMotion, IsLinearBetweenKnotsAndStaysBeyondThem) {
   const PlateDrive drive{.values = {{}, {{2.0, 0.0, 0.0}, {0.0, 0.4, 0.0}}, {{4.0, 0.0, 2.0}, {}}}};
   EXPECT_EQ(motion_at(drive, -1.0), PlateMotion{});
   EXPECT_EQ(motion_at(drive, 1.0), drive.values[1]);
-  expect_near(motion_at(drive, 1.5).displacement_m, {3.0, 0.0, 1.0}, 1e-15);
-  expect_near(motion_at(drive, 1.5).rotation_rad, {0.0, 0.2, 0.0}, 1e-15);
+  expect_near_point(motion_at(drive, 1.5).displacement_m, {3.0, 0.0, 1.0}, 1e-15);
+  expect_near_point(motion_at(drive, 1.5).rotation_rad, {0.0, 0.2, 0.0}, 1e-15);
   EXPECT_EQ(motion_at(drive, 7.0), drive.values[2]);
   EXPECT_EQ(motion_at({}, 1.0), PlateMotion{});
 }
@@ -78,7 +78,7 @@ TEST(PlateMotion, FollowsTheArcOfABarOfConstantLength) {
     }
     const Point moved = motion_at(drive, 1.0).displacement_m;
     // the rule of midpoints is off by angle^2 / 24 parts^2, and summing by rounding
-    expect_near(moved, difference(tip, {length, 0.0, 0.0}), length * (1e-13 + 5e-8 * angle * angle));
+    expect_near_point(moved, difference(tip, {length, 0.0, 0.0}), length * (1e-13 + 5e-8 * angle * angle));
   }
 }
 
@@ -87,10 +87,10 @@ TEST(FaceMean, IsExactForLinearFieldsAndKnowsTheArea) {
     const Space space = make_space(meshes::box(bar_size, {3, 2, 2}), degree, 0, MPI_COMM_SELF);
     const FaceMean tip({.plane = AxisPlane{0, 0.03}}, space);
     EXPECT_NEAR(tip.area_m2(), 1e-4, 1e-18);
-    expect_near(tip.position_m(), {0.03, 0.005, 0.005}, 1e-16);
+    expect_near_point(tip.position_m(), {0.03, 0.005, 0.005}, 1e-16);
     std::vector<double> displacements;
     for (const Point& x : space.positions) displacements.insert(displacements.end(), {x[1], x[0] + 2.0 * x[2], 1.0});
-    expect_near(tip.displacement_m(displacements), {0.005, 0.04, 1.0}, 1e-15);
+    expect_near_point(tip.displacement_m(displacements), {0.005, 0.04, 1.0}, 1e-15);
     EXPECT_EQ(FaceMean({.plane = AxisPlane{0, 0.02}}, space).area_m2(), 0.0);
   }
 }
@@ -175,7 +175,7 @@ TEST(Plates, CarryTheWeightAndThePullOnTheOtherEnd) {
   const PathPoint& last = reached.report.points.back();
   const double weight_N = 1000.0 * 3e-6 * 9.80665;
   const double pull_N = 200.0 * 1e-4;
-  expect_near(last.plates[0].force_N, {-pull_N, 0.0, weight_N}, 1e-6 * pull_N);
+  expect_near_point(last.plates[0].force_N, {-pull_N, 0.0, weight_N}, 1e-6 * pull_N);
   // the moment balances them in the bent shape: lever of the weight about 15 mm, so m g l / 2 about -y within the sagging
   EXPECT_NEAR(last.plates[0].moment_N_m[1], -weight_N * 0.015, 0.1 * weight_N * 0.015);
   EXPECT_NEAR(last.plates[0].moment_N_m[2], 0.0, 1e-6 * weight_N * 0.015);
@@ -222,7 +222,7 @@ TEST(Plates, HoldAPressurisedBodyWithTheDerivativeOfItsPotential) {
   const double derivative_N = (potential_J(displacement_m + step_m) - potential_J(displacement_m - step_m)) / (2.0 * step_m);
   const PathPoint& last = reached.report.points.back();
   EXPECT_NEAR(last.plates[1].force_N[0], derivative_N, 1e-6 * std::abs(derivative_N));
-  expect_near(sum(last.plates[0].force_N, last.plates[1].force_N), {}, 1e-8 * std::abs(derivative_N));
+  expect_near_point(sum(last.plates[0].force_N, last.plates[1].force_N), {}, 1e-8 * std::abs(derivative_N));
 }
 
 // Moving plates and a given volume of air together: the first step of a plate does not know what it does to the volume.

@@ -13,8 +13,8 @@
 namespace menger::fem {
 namespace {
 
-constexpr double shear_modulus_Pa = 86.7e3;
-constexpr double bulk_modulus_Pa = 50.0 * shear_modulus_Pa;
+constexpr double body_shear_modulus_Pa = 86.7e3;
+constexpr double body_bulk_modulus_Pa = 50.0 * body_shear_modulus_Pa;
 
 /// A row of two cells of 10 mm with walls of 2 mm, on the ground. @param is_split each cell is a chamber of its own
 struct Row {
@@ -27,7 +27,7 @@ struct Row {
     set_elements({.fidelity = fidelity}, options);
     mesh = meshes::hollow_polycube({"row", cells, 0.01}, options).mesh;
     body.thin_walls = ThinWallBody{.places = thin_wall_places(mesh)};
-    body.regions = {{materials::NeoHookean{shear_modulus_Pa}, materials::SimoTaylorVolume{bulk_modulus_Pa}, 1000.0}};
+    body.regions = {{materials::NeoHookean{body_shear_modulus_Pa}, materials::SimoTaylorVolume{body_bulk_modulus_Pa}, 1000.0}};
     for (const meshes::Chamber& chamber : mesh.chambers) body.chambers.push_back({chamber.labels, chamber.plenum});
     body.plenum_count = mesh.plenum_names.size();
     body.supports = {{meshes::label_index(mesh, "ground"), {false, false, true}}};
@@ -122,7 +122,7 @@ struct ClampedPlate {
     const meshes::HexahedralMesh mesh =
         box_of_cells({lines, lines, {-0.5 * thickness_m, 0.5 * thickness_m}}, [](const auto&) { return false; });
     Body body;
-    body.regions = {{materials::NeoHookean{shear_modulus_Pa}, materials::SimoTaylorVolume{bulk_modulus_Pa}, 0.0}};
+    body.regions = {{materials::NeoHookean{body_shear_modulus_Pa}, materials::SimoTaylorVolume{body_bulk_modulus_Pa}, 0.0}};
     body.thin_walls = {ThinWallConstants{},
                        std::vector<ThinWallPlace>(mesh.elements.size(), {ThinWallElement::wall, 2, {0, -1}})};
     body.chambers = {{{z_min}, 0}};
@@ -142,11 +142,12 @@ struct ClampedPlate {
   /// Small deflection of a thin clamped plate, 0.001265 p L^4 / D whatever Poisson's ratio (Timoshenko and Woinowsky-Krieger),
   /// and of its shear, that of a membrane of tension k mu t: 0.0737 p L^2 / (k mu t), a per cent of the former.
   static double formula_m(double pressure_Pa) {
-    const double E = 9.0 * bulk_modulus_Pa * shear_modulus_Pa / (3.0 * bulk_modulus_Pa + shear_modulus_Pa);
-    const double nu = (3.0 * bulk_modulus_Pa - 2.0 * shear_modulus_Pa) / (2.0 * (3.0 * bulk_modulus_Pa + shear_modulus_Pa));
+    const double E = 9.0 * body_bulk_modulus_Pa * body_shear_modulus_Pa / (3.0 * body_bulk_modulus_Pa + body_shear_modulus_Pa);
+    const double nu =
+        (3.0 * body_bulk_modulus_Pa - 2.0 * body_shear_modulus_Pa) / (2.0 * (3.0 * body_bulk_modulus_Pa + body_shear_modulus_Pa));
     const double D = E * std::pow(thickness_m, 3) / (12.0 * (1.0 - nu * nu));
     const double square_m2 = edge_m * edge_m;
-    return pressure_Pa * square_m2 * (0.001265 * square_m2 / D + 0.0737 / (5.0 / 6.0 * shear_modulus_Pa * thickness_m));
+    return pressure_Pa * square_m2 * (0.001265 * square_m2 / D + 0.0737 / (5.0 / 6.0 * body_shear_modulus_Pa * thickness_m));
   }
 };
 
@@ -208,7 +209,7 @@ TEST(ThinWallBody, FieldsHaveThePressureOfTheChambers) {
 TEST(ThinWallBody, PointsHaveTheStressOfAStretchedLayer) {
   const meshes::HexahedralMesh mesh = box_of_cells({{{0.0, 2e-3}, {0.0, 3e-3}, {0.0, 1e-3}}}, [](const auto&) { return false; });
   Body body;
-  body.regions = {{materials::NeoHookean{shear_modulus_Pa}, materials::SimoTaylorVolume{1e4 * shear_modulus_Pa}, 0.0}};
+  body.regions = {{materials::NeoHookean{body_shear_modulus_Pa}, materials::SimoTaylorVolume{1e4 * body_shear_modulus_Pa}, 0.0}};
   body.thin_walls = {ThinWallConstants{}, {{ThinWallElement::wall, 2, {-1, -1}}}};
   const Space space = make_space(mesh, 1, 0, MPI_COMM_SELF);
   ElementGroups elements(space, body);
@@ -224,9 +225,9 @@ TEST(ThinWallBody, PointsHaveTheStressOfAStretchedLayer) {
       EXPECT_NEAR(points.deformation_gradient[9 * q], a, 1e-12);
       EXPECT_NEAR(points.volume_ratio[q], 1.0, 1e-12);
       const double across = 1.0 / (a * a * b * b);
-      EXPECT_NEAR(points.cauchy_stress[9 * q], shear_modulus_Pa * (a * a - across), 2e-4 * shear_modulus_Pa);
-      EXPECT_NEAR(points.cauchy_stress[9 * q + 4], shear_modulus_Pa * (b * b - across), 2e-4 * shear_modulus_Pa);
-      EXPECT_NEAR(points.cauchy_stress[9 * q + 8], 0.0, 1e-9 * shear_modulus_Pa);
+      EXPECT_NEAR(points.cauchy_stress[9 * q], body_shear_modulus_Pa * (a * a - across), 2e-4 * body_shear_modulus_Pa);
+      EXPECT_NEAR(points.cauchy_stress[9 * q + 4], body_shear_modulus_Pa * (b * b - across), 2e-4 * body_shear_modulus_Pa);
+      EXPECT_NEAR(points.cauchy_stress[9 * q + 8], 0.0, 1e-9 * body_shear_modulus_Pa);
     }
   });
   EXPECT_EQ(count, 1);
@@ -236,7 +237,7 @@ TEST(ThinWallBody, PointsHaveTheStressOfAStretchedLayer) {
 TEST(ThinWallBody, AnElementThatIsCrushedCountsAsInverted) {
   const meshes::HexahedralMesh mesh = box_of_cells({{{0.0, 2e-3}, {0.0, 3e-3}, {0.0, 1e-3}}}, [](const auto&) { return false; });
   Body body;
-  body.regions = {{materials::NeoHookean{shear_modulus_Pa}, materials::SimoTaylorVolume{bulk_modulus_Pa}, 0.0}};
+  body.regions = {{materials::NeoHookean{body_shear_modulus_Pa}, materials::SimoTaylorVolume{body_bulk_modulus_Pa}, 0.0}};
   const Space space = make_space(mesh, 1, 0, MPI_COMM_SELF);
   for (const ThinWallElement element : {ThinWallElement::wall, ThinWallElement::block}) {
     body.thin_walls = {ThinWallConstants{}, {{element, 2, {-1, -1}}}};

@@ -103,7 +103,7 @@ TEST(Ground, ApproachesTheClosedFormOfAPlatePartlyInIt) {
 /// Steps of 1e-6 m: truncation 0 except where a point of the rule touches down, of which there is none in a step here; rounding
 /// 1e-16 E / h ~ 1e-8 N.
 template <std::size_t n>
-void expect_gradient_by_differences() {
+void expect_ground_gradient_by_differences() {
   const auto [reference, current] = sample_contact<n>();
   const auto gradient = ground_gradient_N(ground, reference, current);
   const double h = 1e-6;
@@ -124,12 +124,12 @@ void expect_gradient_by_differences() {
 }
 
 TEST(Ground, GradientMatchesDifferencesAndSumsToTheForce) {
-  expect_gradient_by_differences<4>();
-  expect_gradient_by_differences<9>();
+  expect_ground_gradient_by_differences<4>();
+  expect_ground_gradient_by_differences<9>();
 }
 
 template <std::size_t n>
-void expect_hessian_by_differences() {
+void expect_ground_hessian_by_differences() {
   const auto [reference, current] = sample_contact<n>();
   const auto hessian = ground_hessian(ground, reference, current);
   const double h = 1e-6;
@@ -149,8 +149,8 @@ void expect_hessian_by_differences() {
 }
 
 TEST(Ground, HessianMatchesDifferences) {
-  expect_hessian_by_differences<4>();
-  expect_hessian_by_differences<9>();
+  expect_ground_hessian_by_differences<4>();
+  expect_ground_hessian_by_differences<9>();
 }
 
 }  // namespace

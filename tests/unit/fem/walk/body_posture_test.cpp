@@ -16,7 +16,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 
 /// The mesh of a hook of three cells.
-PreparedWalk hook() {
+PreparedWalk prepared_hook() {
   PreparedWalk walk;
   walk.design = {"hook", meshes::Polycube::from_digits(2, 1, 2, "1110"), 0.01};
   walk.hollow.wall_thickness_m = 2e-3;
@@ -43,7 +43,7 @@ std::vector<double> displaced(const meshes::HexahedralMesh& mesh, double stretch
 }
 
 TEST(BodyPosture, TheUprightAxisTurnsWithTheBody) {
-  const PreparedWalk walk = hook();
+  const PreparedWalk walk = prepared_hook();
   const BodyPosture posture(walk.mesh);
   const auto expect_axis = [&](const std::vector<double>& displacements, const Point& expected) {
     const Point axis = posture.upright_axis(displacements);

@@ -14,7 +14,7 @@ namespace {
 const std::filesystem::path table_file = "curve.csv";
 
 template <class Action>
-std::string message(const Action& action) {
+std::string table_message(const Action& action) {
   try {
     action();
   } catch (const InputError& error) {
@@ -23,8 +23,8 @@ std::string message(const Action& action) {
   return {};
 }
 
-std::string refusal(const std::string& text) {
-  return message([&] { (void)parse_csv(text, table_file); });
+std::string table_refusal(const std::string& text) {
+  return table_message([&] { (void)parse_csv(text, table_file); });
 }
 
 TEST(CsvTable, WritesAHeaderAndShortestNumbers) {
@@ -72,39 +72,42 @@ TEST(CsvContents, TellColumnsApart) {
   EXPECT_FALSE(contents.has("c"));
   EXPECT_EQ(contents.optional_number(0, "a"), 1.0);
   EXPECT_EQ(contents.optional_number(0, "b"), std::nullopt);
-  EXPECT_EQ(message([&] { (void)contents.number(0, "c"); }), "curve.csv: no column c");
+  EXPECT_EQ(table_message([&] { (void)contents.number(0, "c"); }), "curve.csv: no column c");
 }
 
 TEST(CsvContents, NameLineColumnAndValueOfABadNumber) {
   const CsvContents contents = parse_csv("stress_Pa,note\n1,x\n-3,\"two\nlines\"\n12kPa,\nnan,\n,\n", table_file);
-  EXPECT_EQ(message([&] { (void)contents.number(1, "stress_Pa", non_negative()); }), "curve.csv:3: stress_Pa = -3: must be >= 0");
-  EXPECT_EQ(message([&] { (void)contents.number(2, "stress_Pa"); }), "curve.csv:5: stress_Pa = 12kPa: must be a finite number");
-  EXPECT_EQ(message([&] { (void)contents.number(3, "stress_Pa"); }), "curve.csv:6: stress_Pa = nan: must be a finite number");
-  EXPECT_EQ(message([&] { (void)contents.number(4, "stress_Pa"); }), "curve.csv:7: stress_Pa: a number is missing");
-  EXPECT_EQ(message([&] { (void)contents.numbers("note"); }), "curve.csv:2: note = x: must be a finite number");
+  EXPECT_EQ(table_message([&] { (void)contents.number(1, "stress_Pa", non_negative()); }),
+            "curve.csv:3: stress_Pa = -3: must be >= 0");
+  EXPECT_EQ(table_message([&] { (void)contents.number(2, "stress_Pa"); }),
+            "curve.csv:5: stress_Pa = 12kPa: must be a finite number");
+  EXPECT_EQ(table_message([&] { (void)contents.number(3, "stress_Pa"); }),
+            "curve.csv:6: stress_Pa = nan: must be a finite number");
+  EXPECT_EQ(table_message([&] { (void)contents.number(4, "stress_Pa"); }), "curve.csv:7: stress_Pa: a number is missing");
+  EXPECT_EQ(table_message([&] { (void)contents.numbers("note"); }), "curve.csv:2: note = x: must be a finite number");
 }
 
 TEST(CsvContents, CountOnlyWholeNumbers) {
   const CsvContents table = parse_csv("bodies\n0\n9007199254740992\n2.5\n-1\n1e308\n+-1\n", table_file);
   EXPECT_EQ(table.count(0, "bodies"), 0U);
   EXPECT_EQ(table.count(1, "bodies"), 9007199254740992U);
-  EXPECT_EQ(message([&] { (void)table.count(2, "bodies"); }), "curve.csv:4: bodies = 2.5: must be a whole number");
+  EXPECT_EQ(table_message([&] { (void)table.count(2, "bodies"); }), "curve.csv:4: bodies = 2.5: must be a whole number");
   for (std::size_t row = 3; row < table.row_count(); ++row) EXPECT_THROW((void)table.count(row, "bodies"), InputError) << row;
 }
 
 TEST(CsvContents, RefuseRowsOfAnotherLength) {
-  EXPECT_EQ(refusal("a,b\n1,2\n3\n"), "curve.csv:3: 1 cells where the header has 2");
-  EXPECT_EQ(refusal("a,b\n1,2,3\n"), "curve.csv:2: 3 cells where the header has 2");
+  EXPECT_EQ(table_refusal("a,b\n1,2\n3\n"), "curve.csv:3: 1 cells where the header has 2");
+  EXPECT_EQ(table_refusal("a,b\n1,2,3\n"), "curve.csv:2: 3 cells where the header has 2");
 }
 
 TEST(CsvContents, RefuseABrokenQuote) {
-  EXPECT_EQ(refusal("a,b\n1,\"2\n3\n"), "curve.csv:2: a quote is not closed");
-  EXPECT_EQ(refusal("a,b\n1,\"2\"3\n"), "curve.csv:2: text after a closing quote");
+  EXPECT_EQ(table_refusal("a,b\n1,\"2\n3\n"), "curve.csv:2: a quote is not closed");
+  EXPECT_EQ(table_refusal("a,b\n1,\"2\"3\n"), "curve.csv:2: text after a closing quote");
 }
 
 TEST(CsvContents, RefuseAnEmptyOrMissingFile) {
-  EXPECT_EQ(refusal(""), "curve.csv: is empty: a header of column names is needed");
-  EXPECT_EQ(refusal("\n\n"), "curve.csv: is empty: a header of column names is needed");
+  EXPECT_EQ(table_refusal(""), "curve.csv: is empty: a header of column names is needed");
+  EXPECT_EQ(table_refusal("\n\n"), "curve.csv: is empty: a header of column names is needed");
   EXPECT_THROW((void)read_csv("/nowhere/absent.csv"), InputError);
 }
 

@@ -16,7 +16,7 @@ HyperelasticLaw law_from(const std::string& text) {
   return law;
 }
 
-std::string refusal(const std::string& text) {
+std::string law_refusal(const std::string& text) {
   try {
     (void)law_from(text);
   } catch (const io::InputError& error) {
@@ -47,15 +47,17 @@ TEST(LawFile, ConvertsTheOtherConventionOfOgden) {
 }
 
 TEST(LawFile, RefusesWhatIsNoLaw) {
-  EXPECT_NE(refusal("shear_modulus_Pa = 1\n").find("name is missing"), std::string::npos);
-  EXPECT_EQ(refusal("name = \"gent\"\nshear_modulus_Pa = 1e3\nlocking_excess = 0\n"),
+  EXPECT_NE(law_refusal("shear_modulus_Pa = 1\n").find("name is missing"), std::string::npos);
+  EXPECT_EQ(law_refusal("name = \"gent\"\nshear_modulus_Pa = 1e3\nlocking_excess = 0\n"),
             "law.toml:3: locking_excess = 0: must be > 0");
-  EXPECT_EQ(refusal("name = \"ogden2\"\nmoduli_Pa = [1e3]\nexponents = [2, 3]\n"),
+  EXPECT_EQ(law_refusal("name = \"ogden2\"\nmoduli_Pa = [1e3]\nexponents = [2, 3]\n"),
             "law.toml:2: moduli_Pa = [...]: must be two numbers, not 1");
-  EXPECT_EQ(refusal("name = \"ogden1\"\nmoduli_Pa = [1e3]\nexponents = [0]\n"), "law.toml:3: exponents[1] = 0: must not be 0");
-  EXPECT_EQ(refusal("name = \"mooney_rivlin\"\nc10_Pa = 1\nc01_Pa = -3\n"),
+  EXPECT_EQ(law_refusal("name = \"ogden1\"\nmoduli_Pa = [1e3]\nexponents = [0]\n"),
+            "law.toml:3: exponents[1] = 0: must not be 0");
+  EXPECT_EQ(law_refusal("name = \"mooney_rivlin\"\nc10_Pa = 1\nc01_Pa = -3\n"),
             "law.toml:1: name = \"mooney_rivlin\": the shear modulus at rest is -4 Pa, it must be > 0");
-  EXPECT_NE(refusal("name = \"neo_hookean\"\nshear_modulus_kPa = 1\n").find("shear_modulus_Pa is missing"), std::string::npos);
+  EXPECT_NE(law_refusal("name = \"neo_hookean\"\nshear_modulus_kPa = 1\n").find("shear_modulus_Pa is missing"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 /// Rounding of a sum of some thousand volumes of like size.
 constexpr double volume_tolerance = 1e-12;
 
-Design stand18() { return {"stand18", Polycube::from_digits(3, 3, 3, "101000101111111111011111000"), 0.01}; }
+Design upright18() { return {"stand18", Polycube::from_digits(3, 3, 3, "101000101111111111011111000"), 0.01}; }
 
 /// A chamber-by-chamber count of small cubes, straight from the definition: a cube belongs to the chamber of its region if no
 /// cube within t of it (in the max norm) lies outside its module and none within t / 2 in another region of it.
@@ -75,7 +75,7 @@ class CubeCount {
   int wall_cubes_;
 };
 
-void expect_volumes(const HollowBody& body) {
+void expect_whole_volumes(const HollowBody& body) {
   EXPECT_NEAR(solid_volume(body.mesh), body.wall_volume_m3, volume_tolerance * body.wall_volume_m3);
   ASSERT_EQ(body.chambers.size(), body.mesh.chambers.size());
   for (std::size_t chamber = 0; chamber < body.chambers.size(); ++chamber) {
@@ -100,7 +100,7 @@ TEST(HollowPolycube, ReproducesTheHollowCubeOfOthers) {
     EXPECT_NEAR(body.chambers[0].volume_m3, std::pow(0.016, 3), 1e-20);
     EXPECT_NEAR(body.wall_volume_m3, std::pow(0.02, 3) - std::pow(0.016, 3), 1e-20);
     expect_sound(body.mesh);
-    expect_volumes(body);
+    expect_whole_volumes(body);
     EXPECT_NO_THROW(require_closed_chambers(body.mesh, "cube"));
   }
 }
@@ -116,7 +116,7 @@ TEST(HollowPolycube, IsTheSameForOneLargeCellAndEightSmallOnes) {
 }
 
 TEST(HollowPolycube, VolumesAreThoseOfAnIndependentCount) {
-  const std::vector<Polycube> bodies{bar(3), Polycube::from_digits(3, 3, 1, "112100122"), menger_sponge(), stand18().body,
+  const std::vector<Polycube> bodies{bar(3), Polycube::from_digits(3, 3, 1, "112100122"), menger_sponge(), upright18().body,
                                      Polycube::from_digits(3, 3, 3, "112212221121212212222121112")};
   for (const Polycube& body : bodies) {
     for (const ChamberLayout layout : {ChamberLayout::single, ChamberLayout::per_phase}) {
@@ -129,7 +129,7 @@ TEST(HollowPolycube, VolumesAreThoseOfAnIndependentCount) {
       for (const ChamberOrigin& chamber : hollow.chambers) chambers += chamber.volume_m3;
       EXPECT_NEAR(hollow.wall_volume_m3, 1e-9 * static_cast<double>(count.wall), volume_tolerance * hollow.wall_volume_m3);
       EXPECT_NEAR(chambers, 1e-9 * static_cast<double>(count.chamber), volume_tolerance * chambers);
-      expect_volumes(hollow);
+      expect_whole_volumes(hollow);
       expect_sound(hollow.mesh);
       EXPECT_NO_THROW(require_closed_chambers(hollow.mesh, "body"));
     }
@@ -145,7 +145,7 @@ TEST(HollowPolycube, ChamberOfOneRegionIsTheSumOverItsCellsSidesEdgesAndCorners)
       27 * std::pow(core, 3) + 54 * core * core * 2 * t + 36 * core * std::pow(2 * t, 2) + 8 * std::pow(2 * t, 3);
   EXPECT_NEAR(cube.chambers[0].volume_m3, closed_form, volume_tolerance * closed_form);
   EXPECT_NEAR(closed_form, std::pow(3 * a - 2 * t, 3), volume_tolerance * closed_form);
-  expect_volumes(cube);
+  expect_whole_volumes(cube);
 }
 
 TEST(HollowPolycube, MeetsItsVolumesOnGradedMeshesOfAnyEdge) {
@@ -158,7 +158,7 @@ TEST(HollowPolycube, MeetsItsVolumesOnGradedMeshesOfAnyEdge) {
         options.elements_through_wall = n;
         options.chambers = layout;
         const HollowBody body = hollow_polycube({"l", Polycube::from_digits(2, 2, 2, "12210100"), edge}, options);
-        expect_volumes(body);
+        expect_whole_volumes(body);
         expect_sound(body.mesh);
       }
     }
@@ -191,11 +191,11 @@ TEST(HollowPolycube, PerPhaseMakesAChamberOfEveryConnectedRegion) {
   EXPECT_NEAR(body.chambers[1].volume_m3, 648e-9, 1e-20);
   EXPECT_NEAR(body.chambers[2].volume_m3, 252e-9, 1e-20);
   EXPECT_EQ(body.mesh.plenum_names.size(), 3U);
-  expect_volumes(body);
+  expect_whole_volumes(body);
 }
 
 TEST(HollowPolycube, LabelsTheGroundAndTheOuterFaces) {
-  const HollowBody body = hollow_polycube(stand18(), {});
+  const HollowBody body = hollow_polycube(upright18(), {});
   // Four feet of 1 cm^2 stand on the ground.
   EXPECT_NEAR(label_area(body.mesh, "ground"), 4e-4, 1e-15);
   for (const BoundaryFace& face : body.mesh.faces) {
@@ -204,12 +204,12 @@ TEST(HollowPolycube, LabelsTheGroundAndTheOuterFaces) {
     for (const std::size_t corner : face.corners) EXPECT_EQ(body.mesh.points[corner][2], 0.0);
   }
   std::size_t sides = 0;
-  for (const CellIndex& cell : stand18().body.occupied()) {
+  for (const CellIndex& cell : upright18().body.occupied()) {
     for (const Side side : all_sides) {
       const int step = is_max(side) ? 1 : -1;
       CellIndex other = cell;
       (axis_of(side) == 0 ? other.x : axis_of(side) == 1 ? other.y : other.z) += step;
-      if (stand18().body.at_or_empty(other) == empty) ++sides;
+      if (upright18().body.at_or_empty(other) == empty) ++sides;
     }
   }
   EXPECT_NEAR(label_area(body.mesh, "outer"), 1e-4 * static_cast<double>(sides) - 4e-4, 1e-14);
@@ -225,7 +225,7 @@ TEST(HollowPolycube, TubeHoleOpensTheWallAndItsCapClosesTheChamber) {
     ASSERT_EQ(body.mesh.chambers[0].caps.size(), 1U);
     EXPECT_EQ(body.mesh.chambers[0].labels.size(), 2U);
     expect_sound(body.mesh);
-    expect_volumes(body);
+    expect_whole_volumes(body);
     EXPECT_NO_THROW(require_closed_chambers(body.mesh, to_string(side).data()));
     HexahedralMesh without_cap = body.mesh;
     without_cap.chambers[0].caps.clear();

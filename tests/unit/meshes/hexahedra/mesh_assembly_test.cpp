@@ -25,7 +25,7 @@ void mirror(ElementCorners& corners) {
   for (std::size_t c = 0; c < 4; ++c) std::swap(corners[c], corners[c + 4]);
 }
 
-std::string refusal(const NamedHexahedra& input) {
+std::string assembly_refusal(const NamedHexahedra& input) {
   try {
     static_cast<void>(assemble_mesh(input, "a.msh"));
   } catch (const io::InputError& error) {
@@ -64,14 +64,14 @@ TEST(MeshAssembly, RefusesChambersThatAreOpenOrInsideOut) {
   const std::size_t chamber = label_index(cube, "chamber 0");
   open.faces.erase(
       std::find_if(open.faces.begin(), open.faces.end(), [&](const NamedFace& face) { return face.label == chamber; }));
-  EXPECT_TRUE(refusal(open).starts_with("a.msh: chamber 0 is open")) << refusal(open);
+  EXPECT_TRUE(assembly_refusal(open).starts_with("a.msh: chamber 0 is open")) << assembly_refusal(open);
   NamedHexahedra outside = named(cube);
   outside.label_names[label_index(cube, "chamber 0")] = "inside";
   for (NamedFace& face : outside.faces) {
     if (face.label != chamber) face.label = label_index(cube, "outer");
   }
   outside.label_names[label_index(cube, "outer")] = "chamber";
-  EXPECT_TRUE(refusal(outside).starts_with("a.msh: chamber encloses solid, not air")) << refusal(outside);
+  EXPECT_TRUE(assembly_refusal(outside).starts_with("a.msh: chamber encloses solid, not air")) << assembly_refusal(outside);
 }
 
 TEST(MeshAssembly, RefusesElementsThatAreReallyInverted) {
@@ -80,35 +80,36 @@ TEST(MeshAssembly, RefusesElementsThatAreReallyInverted) {
   for (Point& point : input.points) {
     if (point[0] == 0.5) point[0] = 1.2;
   }
-  EXPECT_TRUE(refusal(input).starts_with("a.msh: 1 of 2 elements are inverted; the first is element 1")) << refusal(input);
+  EXPECT_TRUE(assembly_refusal(input).starts_with("a.msh: 1 of 2 elements are inverted; the first is element 1"))
+      << assembly_refusal(input);
 }
 
 TEST(MeshAssembly, RefusesFacesAndElementsThatDoNotFit) {
   const NamedHexahedra sound = named(box({1.0, 1.0, 1.0}, {2, 1, 1}));
-  EXPECT_EQ(refusal(sound), "accepted");
+  EXPECT_EQ(assembly_refusal(sound), "accepted");
   NamedHexahedra inner = sound;
   const ElementCorners& first = inner.elements[0];
   inner.faces.push_back({{first[1], first[3], first[7], first[5]}, 1});
-  EXPECT_EQ(refusal(inner), "a.msh: a face of \"x max\" around (500, 500, 500) mm lies inside the solid");
+  EXPECT_EQ(assembly_refusal(inner), "a.msh: a face of \"x max\" around (500, 500, 500) mm lies inside the solid");
   NamedHexahedra diagonal = sound;
   diagonal.faces.push_back({{first[0], first[3], first[7], first[4]}, 1});
-  EXPECT_NE(refusal(diagonal).find("belongs to no element"), std::string::npos);
+  EXPECT_NE(assembly_refusal(diagonal).find("belongs to no element"), std::string::npos);
   NamedHexahedra twice = sound;
   twice.faces.push_back({twice.faces[0].corners, twice.faces[0].label + 1});
-  EXPECT_NE(refusal(twice).find("also belongs to"), std::string::npos);
+  EXPECT_NE(assembly_refusal(twice).find("also belongs to"), std::string::npos);
   NamedHexahedra apart = sound;
   for (std::size_t& corner : apart.elements[1]) {
     apart.points.push_back(apart.points[corner]);
     corner = apart.points.size() - 1;
   }
   apart.faces.clear();
-  EXPECT_NE(refusal(apart).find("only 1 of 2 elements are connected"), std::string::npos);
+  EXPECT_NE(assembly_refusal(apart).find("only 1 of 2 elements are connected"), std::string::npos);
   NamedHexahedra crowded = sound;
   crowded.elements.push_back(crowded.elements[0]);
   crowded.elements.push_back(crowded.elements[0]);
   crowded.regions.assign(4, 0);
-  EXPECT_NE(refusal(crowded).find("share one face"), std::string::npos);
-  EXPECT_EQ(refusal({}), "a.msh: holds no hexahedra");
+  EXPECT_NE(assembly_refusal(crowded).find("share one face"), std::string::npos);
+  EXPECT_EQ(assembly_refusal({}), "a.msh: holds no hexahedra");
 }
 
 }  // namespace

@@ -5,31 +5,31 @@
 namespace menger::meshes {
 namespace {
 
-LoadCase bar() { return {.name = "bar", .kind = LoadCaseKind::stretch, .cells = {3, 1, 1}, .digits = "112"}; }
+LoadCase stretched_bar() { return {.name = "bar", .kind = LoadCaseKind::stretch, .cells = {3, 1, 1}, .digits = "112"}; }
 
-TEST(LoadCaseSubject, IsKindAndBody) { EXPECT_EQ(subject_of(bar()), "stretch of 3x1x1:111, level 1"); }
+TEST(LoadCaseSubject, IsKindAndBody) { EXPECT_EQ(subject_of(stretched_bar()), "stretch of 3x1x1:111, level 1"); }
 
 TEST(LoadCaseSubject, DoesNotDependOnNamesAndAmounts) {
-  LoadCase other = bar();
+  LoadCase other = stretched_bar();
   other.name = "another";
   other.pressures_Pa = {1e3};
   other.imposed = {1e-3};
-  EXPECT_EQ(subject_of(other), subject_of(bar()));
+  EXPECT_EQ(subject_of(other), subject_of(stretched_bar()));
 }
 
 TEST(LoadCaseSubject, SeesTheSameBodyInALargerGrid) {
-  LoadCase wide = bar();
+  LoadCase wide = stretched_bar();
   wide.cells = {3, 3, 2};
   wide.digits = "000000000000111000";  // the row at y = 1, z = 1
-  EXPECT_EQ(subject_of(wide), subject_of(bar()));
+  EXPECT_EQ(subject_of(wide), subject_of(stretched_bar()));
   wide.level = 2;
-  LoadCase aggregate = bar();
+  LoadCase aggregate = stretched_bar();
   aggregate.level = 2;
   EXPECT_NE(subject_of(wide), subject_of(aggregate)) << "modules of other gaps";
 }
 
 TEST(LoadCaseSubject, TellsPhasesApartOnlyWhereTheyAreChambers) {
-  LoadCase phases = bar();
+  LoadCase phases = stretched_bar();
   phases.per_phase = true;
   EXPECT_EQ(subject_of(phases), "stretch of 3x1x1:112, level 1, chambers per phase");
   LoadCase renamed = phases;
@@ -40,7 +40,7 @@ TEST(LoadCaseSubject, TellsPhasesApartOnlyWhereTheyAreChambers) {
   EXPECT_NE(subject_of(turned), subject_of(phases));
   LoadCase one = phases;
   one.digits = "222";
-  EXPECT_EQ(subject_of(one), subject_of(bar())) << "a single phase is a single chamber";
+  EXPECT_EQ(subject_of(one), subject_of(stretched_bar())) << "a single phase is a single chamber";
 }
 
 TEST(LoadCaseSubject, SeesTheSameBodyTurnedAsFarAsTheLoadAllows) {
@@ -64,13 +64,13 @@ TEST(LoadCaseSubject, SeesTheSameBodyTurnedAsFarAsTheLoadAllows) {
 }
 
 TEST(LoadCaseSubject, TellsOtherLoadsAndLevelsApart) {
-  LoadCase other = bar();
+  LoadCase other = stretched_bar();
   other.kind = LoadCaseKind::bending;
-  EXPECT_NE(subject_of(other), subject_of(bar()));
-  other = bar();
+  EXPECT_NE(subject_of(other), subject_of(stretched_bar()));
+  other = stretched_bar();
   other.level = 2;
-  EXPECT_NE(subject_of(other), subject_of(bar()));
-  other = bar();
+  EXPECT_NE(subject_of(other), subject_of(stretched_bar()));
+  other = stretched_bar();
   other.digits = "110";
   EXPECT_EQ(subject_of(other), "stretch of 2x1x1:11, level 1");
 }

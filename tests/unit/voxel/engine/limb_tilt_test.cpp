@@ -33,7 +33,7 @@ Physics flying(DampingMode damping) {
   return physics;
 }
 
-std::vector<double> state_after(const Physics& physics, const KernelOptions& options, std::uint64_t steps) {
+std::vector<double> limb_state_after(const Physics& physics, const KernelOptions& options, std::uint64_t steps) {
   Simulation simulation(table, 0.01, physics, {}, options);
   EXPECT_EQ(simulation.advance(steps), io::RunStatus::completed);
   std::vector<double> numbers;
@@ -48,12 +48,12 @@ TEST(LimbTilt, IsTheSameInEveryKernel) {
   for (const NumberType number : {NumberType::float64, NumberType::float32}) {
     Physics physics = flying(DampingMode::velocity);
     physics.integration.number = number;
-    const std::vector<double> scalar = state_after(physics, {.instruction_set = InstructionSet::scalar}, 2000);
+    const std::vector<double> scalar = limb_state_after(physics, {.instruction_set = InstructionSet::scalar}, 2000);
     EXPECT_LT(*std::ranges::min_element(scalar), -1e-3) << "the legs have moved away";
     for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
       std::vector<double> packed = scalar;
       try {
-        packed = state_after(physics, {.instruction_set = set}, 2000);
+        packed = limb_state_after(physics, {.instruction_set = set}, 2000);
       } catch (const std::invalid_argument&) {  // this machine does not have it
         continue;
       }

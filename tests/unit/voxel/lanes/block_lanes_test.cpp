@@ -32,7 +32,7 @@ bool goes_in_blocks(const Simulation& simulation) {
   return false;
 }
 
-std::vector<Physics> modes() {
+std::vector<Physics> block_modes() {
   std::vector<Physics> all(3);
   all[1].integration.damping = all[2].integration.damping = DampingMode::velocity;
   all[2].integration.number = NumberType::float32;
@@ -72,11 +72,11 @@ void expect_same_as_voxel_by_voxel(const meshes::Polycube& body, const Physics& 
   }
 }
 
-meshes::Polycube sponge() { return meshes::Polycube::from_digits(3, 3, 3, "211201211201000201211201211"); }
+meshes::Polycube block_sponge() { return meshes::Polycube::from_digits(3, 3, 3, "211201211201000201211201211"); }
 meshes::Polycube quadruped() { return meshes::Polycube::from_digits(3, 3, 3, "102000201111211112000000000"); }
 
 TEST(Blocks, OfAFractalAreItsCopies) {
-  const Lattice lattice(meshes::fractal(sponge(), 3));
+  const Lattice lattice(meshes::fractal(block_sponge(), 3));
   const auto body = blocks_of(lattice);
   ASSERT_TRUE(body);
   EXPECT_EQ(body->count, 400U);
@@ -94,9 +94,9 @@ TEST(Blocks, OfAFractalAreItsCopies) {
 }
 
 TEST(Blocks, AreNoneWhereCopiesDiffer) {
-  EXPECT_FALSE(blocks_of(Lattice(sponge()))) << "one block";
+  EXPECT_FALSE(blocks_of(Lattice(block_sponge()))) << "one block";
   EXPECT_FALSE(blocks_of(Lattice(meshes::bar(4)))) << "another grid";
-  meshes::Polycube body = meshes::fractal(sponge(), 2);
+  meshes::Polycube body = meshes::fractal(block_sponge(), 2);
   body.set({0, 0, 0}, meshes::empty);
   EXPECT_FALSE(blocks_of(Lattice(body))) << "a copy lacks a cell";
   body.set({1, 1, 1}, 1);
@@ -104,14 +104,14 @@ TEST(Blocks, AreNoneWhereCopiesDiffer) {
 }
 
 TEST(BlockLanes, AreUsedForAnAggregateOfOneMaterial) {
-  const meshes::Polycube body = meshes::fractal(sponge(), 2);
+  const meshes::Polycube body = meshes::fractal(block_sponge(), 2);
   Physics physics;
   try {
     EXPECT_TRUE(goes_in_blocks(Simulation(body, 0.01, physics, {}, {.instruction_set = InstructionSet::avx2})));
   } catch (const std::invalid_argument&) {
     GTEST_SKIP() << "no AVX2";
   }
-  EXPECT_FALSE(goes_in_blocks(Simulation(sponge(), 0.01, physics)));
+  EXPECT_FALSE(goes_in_blocks(Simulation(block_sponge(), 0.01, physics)));
   EXPECT_FALSE(goes_in_blocks(Simulation(body, 0.01, physics, {}, {.every_term = true})));
   physics.lateral_coupling = 0.2;
   EXPECT_FALSE(goes_in_blocks(Simulation(body, 0.01, physics)));
@@ -121,8 +121,8 @@ TEST(BlockLanes, AreUsedForAnAggregateOfOneMaterial) {
 }
 
 TEST(BlockLanes, GiveTheBytesOfVoxelByVoxel) {
-  for (const meshes::Polycube& body : {sponge(), quadruped(), meshes::full_cube(3), meshes::plane(3)}) {
-    for (const Physics& physics : modes()) expect_same_as_voxel_by_voxel(meshes::fractal(body, 2), physics);
+  for (const meshes::Polycube& body : {block_sponge(), quadruped(), meshes::full_cube(3), meshes::plane(3)}) {
+    for (const Physics& physics : block_modes()) expect_same_as_voxel_by_voxel(meshes::fractal(body, 2), physics);
   }
 }
 
@@ -134,16 +134,16 @@ TEST(BlockLanes, GiveTheBytesOfVoxelByVoxelForRandomBodies) {
     const meshes::Polycube body = meshes::fractal(meshes::Polycube::from_digits(3, 3, 3, digits), 2);
     if (!meshes::is_connected(body)) continue;
     ++bodies;
-    for (const Physics& physics : modes()) expect_same_as_voxel_by_voxel(body, physics, 300);
+    for (const Physics& physics : block_modes()) expect_same_as_voxel_by_voxel(body, physics, 300);
   }
 }
 
 TEST(BlockLanes, GiveTheBytesOfVoxelByVoxelAtTheThirdLevel) {
-  for (const Physics& physics : modes()) expect_same_as_voxel_by_voxel(meshes::fractal(sponge(), 3), physics, 120);
+  for (const Physics& physics : block_modes()) expect_same_as_voxel_by_voxel(meshes::fractal(block_sponge(), 3), physics, 120);
 }
 
 TEST(BlockLanes, GiveTheBytesOfVoxelByVoxelInEveryScene) {
-  for (Physics physics : modes()) {
+  for (Physics physics : block_modes()) {
     const meshes::Polycube body = meshes::fractal(quadruped(), 2);
     physics.integration.single_precision_rest_lengths = true;
     physics.stop_rotation_in_static_friction = !physics.stop_rotation_in_static_friction;
@@ -160,17 +160,17 @@ TEST(BlockLanes, GiveTheBytesOfVoxelByVoxelInEveryScene) {
 }
 
 TEST(BlockLanes, SayOfADivergingRobotWhatVoxelByVoxelSays) {
-  for (Physics physics : modes()) {
+  for (Physics physics : block_modes()) {
     physics.integration.time_step_fraction = 1.6;
-    Simulation simulation(meshes::fractal(sponge(), 2), 0.01, physics);
+    Simulation simulation(meshes::fractal(block_sponge(), 2), 0.01, physics);
     ASSERT_EQ(simulation.advance(3000), io::RunStatus::diverged);
-    expect_same_as_voxel_by_voxel(meshes::fractal(sponge(), 2), physics, 3000);
+    expect_same_as_voxel_by_voxel(meshes::fractal(block_sponge(), 2), physics, 3000);
   }
 }
 
 TEST(BlockLanes, FollowARobotThatFliesFarInSinglePrecision) {
   // Thrown forward without a floor, far enough that the origin of positions moves.
-  Physics physics = modes().back();
+  Physics physics = block_modes().back();
   physics.floor = false;
   physics.gravity_m_s2 = 0.0;
   physics.damping_ratios.global = 0.0;
@@ -187,8 +187,8 @@ TEST(BlockLanes, FollowARobotThatFliesFarInSinglePrecision) {
 }
 
 TEST(BlockLanes, GiveTheSameBytesForAnyNumberOfThreads) {
-  for (const Physics& physics : modes()) {
-    const meshes::Polycube body = meshes::fractal(sponge(), 2);
+  for (const Physics& physics : block_modes()) {
+    const meshes::Polycube body = meshes::fractal(block_sponge(), 2);
     Simulation one(body, 0.01, physics);
     ASSERT_EQ(one.advance(300), io::RunStatus::completed);
     for (const int threads : {2, 3, 7}) {
@@ -201,8 +201,8 @@ TEST(BlockLanes, GiveTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(BlockLanes, GiveTheSameBytesWhileThreadsComeAndGo) {
-  for (const Physics& physics : modes()) {
-    const meshes::Polycube body = meshes::fractal(sponge(), 2);
+  for (const Physics& physics : block_modes()) {
+    const meshes::Polycube body = meshes::fractal(block_sponge(), 2);
     Simulation one(body, 0.01, physics);
     ASSERT_EQ(one.advance(400), io::RunStatus::completed);
     Simulation several(body, 0.01, physics);
@@ -229,7 +229,7 @@ TEST(BlockLanes, GiveTheSameBytesOfABodyThatPutsItsBlocksInLanesForTwoThreadsOnl
 }
 
 TEST(BlockLanes, StopWhenAskedAndGoOn) {
-  Simulation simulation(meshes::fractal(sponge(), 2), 0.01, Physics{});
+  Simulation simulation(meshes::fractal(block_sponge(), 2), 0.01, Physics{});
   const std::atomic<bool> stop{true};
   EXPECT_EQ(simulation.advance(100, &stop), io::RunStatus::stopped);
   EXPECT_EQ(simulation.steps(), 0U);

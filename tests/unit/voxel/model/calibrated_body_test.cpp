@@ -77,7 +77,7 @@ Physics floating(Physics physics) {
   return physics;
 }
 
-const meshes::Polycube quadruped = meshes::Polycube::from_digits(3, 3, 2, "101000101111111111");
+const meshes::Polycube standing_quadruped = meshes::Polycube::from_digits(3, 3, 2, "101000101111111111");
 
 TEST(CalibratedBody, OfSolidCellsMovesLikeSolidVoxels) {
   CalibratedBody body = solid_body(2e4, 500.0, 0.1);
@@ -148,7 +148,7 @@ TEST(CalibratedBody, GivesTheSameBytesFromAllInstructionSets) {
   const auto state = [](const Physics& physics, InstructionSet set) {
     std::vector<double> numbers;
     try {
-      Simulation simulation(meshes::fractal(quadruped, 1), edge, physics, {}, {.instruction_set = set});
+      Simulation simulation(meshes::fractal(standing_quadruped, 1), edge, physics, {}, {.instruction_set = set});
       EXPECT_EQ(simulation.advance(2000), io::RunStatus::completed);
       for (std::size_t i = 0; i < simulation.voxel_count(); ++i) {
         for (const double value : simulation.position_m(i)) numbers.push_back(value);
@@ -179,9 +179,9 @@ TEST(CalibratedBody, GivesTheSameBytesFromAllInstructionSets) {
 
 TEST(CalibratedBody, MovesTheSameBesideTheEnergyLedgerAndWithEveryTerm) {
   const Physics physics = driven_by(example_body());
-  Simulation plain(quadruped, edge, physics);
-  Simulation booked(quadruped, edge, physics, {}, {.energy_ledger = true});
-  Simulation full(quadruped, edge, physics, {}, {.every_term = true});
+  Simulation plain(standing_quadruped, edge, physics);
+  Simulation booked(standing_quadruped, edge, physics, {}, {.energy_ledger = true});
+  Simulation full(standing_quadruped, edge, physics, {}, {.every_term = true});
   for (Simulation* simulation : {&plain, &booked, &full}) ASSERT_EQ(simulation->advance(1500), io::RunStatus::completed);
   for (std::size_t i = 0; i < plain.voxel_count(); ++i) {
     EXPECT_EQ(plain.position_m(i), booked.position_m(i));
@@ -193,7 +193,7 @@ TEST(CalibratedBody, ClosesItsEnergyLedger) {
   for (const DampingMode mode : {DampingMode::increments, DampingMode::velocity}) {
     Physics physics = floating(driven_by(example_body()));
     physics.integration.damping = mode;
-    Simulation simulation(quadruped, edge, physics, {}, {.energy_ledger = true});
+    Simulation simulation(standing_quadruped, edge, physics, {}, {.energy_ledger = true});
     ASSERT_EQ(simulation.advance_to(0.6), io::RunStatus::completed);
     const EnergyLedger& energy = *simulation.energy();
     EXPECT_GT(energy.actuation_work_J, 0.0);
@@ -297,13 +297,13 @@ TEST(CalibratedBody, RefusesWhatItsParametersWereNotFittedOn) {
 TEST(CalibratedBody, DivergesWhereItsStrainsLeaveTheRangeOfValidity) {
   CalibratedBody body = example_body();
   body.parameters.validity.largest_strain = 1e-4;
-  Simulation refused(quadruped, edge, driven_by(body));
+  Simulation refused(standing_quadruped, edge, driven_by(body));
   EXPECT_EQ(refused.advance(5000), io::RunStatus::diverged);
   ASSERT_TRUE(refused.divergence());
   EXPECT_EQ(refused.divergence()->quantity, "strain outside the range of validity");
   EXPECT_GT(*refused.divergence()->value, 1e-4);
   body.outside_range = OutsideRange::warn;
-  Simulation warned(quadruped, edge, driven_by(body));
+  Simulation warned(standing_quadruped, edge, driven_by(body));
   EXPECT_EQ(warned.advance(5000), io::RunStatus::completed);
   ASSERT_TRUE(warned.strain_range());
   EXPECT_GT(warned.strain_range()->largest, 1e-4);
@@ -318,17 +318,17 @@ TEST(CalibratedBody, DoesNotBulgeIntoItsOwnVoxels) {
   Physics physics = driven_by(body, ActuationMode::hold);
   physics.floor = false;
   physics.gravity_m_s2 = 0.0;
-  Simulation colliding(quadruped, edge, physics);
+  Simulation colliding(standing_quadruped, edge, physics);
   physics.collisions.exclusion_depth.reset();
-  Simulation free(quadruped, edge, physics);
+  Simulation free(standing_quadruped, edge, physics);
   for (Simulation* simulation : {&colliding, &free}) ASSERT_EQ(simulation->advance(500), io::RunStatus::completed);
   EXPECT_GT(free.frame().reach_m[0][4], 0.55 * edge) << "walls bulge";
   for (std::size_t i = 0; i < free.voxel_count(); ++i) EXPECT_EQ(colliding.position_m(i), free.position_m(i));
 }
 
 TEST(BasalBody, IsFoundInItsFractal) {
-  EXPECT_EQ(basal_body_of(meshes::fractal(quadruped, 2), 2), quadruped);
-  EXPECT_EQ(basal_body_of(quadruped, 1), quadruped);
+  EXPECT_EQ(basal_body_of(meshes::fractal(standing_quadruped, 2), 2), standing_quadruped);
+  EXPECT_EQ(basal_body_of(standing_quadruped, 1), standing_quadruped);
   EXPECT_THROW(basal_body_of(meshes::Polycube::from_digits(4, 1, 1, "1011"), 2), std::invalid_argument);
   EXPECT_THROW(basal_body_of(meshes::bar(5), 2), std::invalid_argument);
 }
@@ -336,9 +336,9 @@ TEST(BasalBody, IsFoundInItsFractal) {
 TEST(CalibratedBody, OfHigherLevelsHasOneChamberPerModule) {
   CalibratedBody body = example_body();
   body.level = 2;
-  const HollowVoxels voxels = calibrated_voxels(meshes::fractal(quadruped, 2), body);
-  EXPECT_EQ(voxels.chamber_count, quadruped.count());
-  Simulation simulation(meshes::fractal(quadruped, 2), edge, driven_by(body));
+  const HollowVoxels voxels = calibrated_voxels(meshes::fractal(standing_quadruped, 2), body);
+  EXPECT_EQ(voxels.chamber_count, standing_quadruped.count());
+  Simulation simulation(meshes::fractal(standing_quadruped, 2), edge, driven_by(body));
   EXPECT_EQ(simulation.advance(200), io::RunStatus::completed);
 }
 

@@ -39,7 +39,7 @@ ExpectedErrors example_errors() {
   return errors;
 }
 
-CalibratedBody example_body() {
+CalibratedBody body_of_known_errors() {
   return {.parameters = tests::surrogate_example(), .pressure_Pa = {0.0, 1e3}, .outside_range = OutsideRange::warn};
 }
 
@@ -68,7 +68,7 @@ TEST_F(ErrorsBesideParameters, AreReadAsTheyWereWritten) {
 }
 
 TEST_F(ErrorsBesideParameters, AreThoseOfTheKindOfABody) {
-  const std::vector<std::string> lines = expected_error_text(known(), example_body(), bar);
+  const std::vector<std::string> lines = expected_error_text(known(), body_of_known_errors(), bar);
   ASSERT_EQ(lines.size(), 1U) << io::joined(lines, "\n");
   EXPECT_EQ(lines.front().rfind("expected error for a body of limbs: 4.3 % in displacement and 1.1 % in chamber volume (median "
                                 "over 2 bodies of this kind that no fit has seen; one displacement in ten is off by more than "
@@ -82,34 +82,35 @@ TEST_F(ErrorsBesideParameters, HaveNoPowersOfTenForPeople) {
   ExpectedErrors errors = example_errors();
   errors.kinds[static_cast<std::size_t>(BodyKind::limbs)]->displacement_median = 0.0995;
   errors.kinds[static_cast<std::size_t>(BodyKind::limbs)]->displacement_ninth_decile = 1.389;
-  const std::string line = expected_error_text({.errors = errors}, example_body(), bar).front();
+  const std::string line = expected_error_text({.errors = errors}, body_of_known_errors(), bar).front();
   EXPECT_NE(line.find("10 % in displacement"), std::string::npos) << line;
   EXPECT_NE(line.find("more than 139 %"), std::string::npos) << line;
 }
 
 TEST_F(ErrorsBesideParameters, WarnOfLargeErrorsAndWrongSigns) {
-  const std::vector<std::string> lines = expected_error_text(known(), example_body(), plate);
+  const std::vector<std::string> lines = expected_error_text(known(), body_of_known_errors(), plate);
   EXPECT_TRUE(has_warning(lines, "the voxels are a poor model of flat plates")) << io::joined(lines, "\n");
   EXPECT_TRUE(has_warning(lines, "3 of 8 displacements went the wrong way"));
   ExpectedErrors good = example_errors();
   KindErrors& of_plates = *good.kinds[static_cast<std::size_t>(BodyKind::flat_plate)];
   of_plates.displacement_median = largest_good_error;
   of_plates.wrong_signs = 0;
-  EXPECT_EQ(expected_error_text({.errors = good}, example_body(), plate).size(), 1U);
+  EXPECT_EQ(expected_error_text({.errors = good}, body_of_known_errors(), plate).size(), 1U);
   of_plates.displacement_median.reset();
-  EXPECT_TRUE(has_warning(expected_error_text({.errors = good}, example_body(), plate), "poor model")) << "without a response";
+  EXPECT_TRUE(has_warning(expected_error_text({.errors = good}, body_of_known_errors(), plate), "poor model"))
+      << "without a response";
 }
 
 TEST_F(ErrorsBesideParameters, WarnWhereNoValidationCoversABody) {
-  EXPECT_TRUE(has_warning(expected_error_text(known(), example_body(), table), "covers plates on legs"));
-  CalibratedBody body = example_body();
+  EXPECT_TRUE(has_warning(expected_error_text(known(), body_of_known_errors(), table), "covers plates on legs"));
+  CalibratedBody body = body_of_known_errors();
   body.level = 2;
   EXPECT_TRUE(has_warning(expected_error_text(known(), body, bar), "covers aggregates"));
-  body = example_body();
+  body = body_of_known_errors();
   body.pressure_Pa = {0.0, 3e3};
   EXPECT_TRUE(has_warning(expected_error_text(known(), body, bar), "pressure_Pa = 3000 is outside"))
       << io::joined(expected_error_text(known(), body, bar), "\n");
-  body = example_body();
+  body = body_of_known_errors();
   body.chambers = meshes::ChamberLayout::per_phase;
   EXPECT_TRUE(has_warning(expected_error_text(known(), body, bar), "chambers"));
 }
@@ -130,7 +131,7 @@ TEST_F(ErrorsBesideParameters, CountForNothingIfTheyAreOfOtherValues) {
   io::write_whole(parameters_, surrogate_text(other));
   const KnownErrors stale = known();
   EXPECT_FALSE(stale.errors);
-  for (const auto& lines : {expected_error_text(stale, example_body(), bar), expected_error_text(stale, false)}) {
+  for (const auto& lines : {expected_error_text(stale, body_of_known_errors(), bar), expected_error_text(stale, false)}) {
     EXPECT_EQ(lines.size(), 1U);
     EXPECT_TRUE(has_warning(lines, "beside soft.toml is that of other values"));
   }

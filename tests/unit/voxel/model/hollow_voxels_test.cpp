@@ -16,11 +16,11 @@ namespace {
 using meshes::ChamberLayout;
 using meshes::Polycube;
 
-constexpr double edge = 0.01;
+constexpr double voxel_edge = 0.01;
 constexpr double wall = 0.002;
 
 HollowOptions options(int voxels_per_cell = 1, int level = 1, ChamberLayout chambers = ChamberLayout::single) {
-  return {edge, wall, voxels_per_cell, level, chambers};
+  return {voxel_edge, wall, voxels_per_cell, level, chambers};
 }
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
@@ -145,15 +145,15 @@ TEST(HollowVoxels, OfARefinedCellSeeWallsOnTheirOwnSidesOnly) {
 }
 
 TEST(HollowVoxels, HaveTheInertiaOfAHollowCube) {
-  const double inside = edge - 2.0 * wall;
-  const double hollow = (std::pow(edge, 5) - std::pow(inside, 5)) / (std::pow(edge, 3) - std::pow(inside, 3));
-  EXPECT_NEAR(hollow_voxels(meshes::bar(1), options()).inertia_factor[0], hollow / (edge * edge), 1e-13);
+  const double inside = voxel_edge - 2.0 * wall;
+  const double hollow = (std::pow(voxel_edge, 5) - std::pow(inside, 5)) / (std::pow(voxel_edge, 3) - std::pow(inside, 3));
+  EXPECT_NEAR(hollow_voxels(meshes::bar(1), options()).inertia_factor[0], hollow / (voxel_edge * voxel_edge), 1e-13);
 }
 
 TEST(HollowVoxels, RefuseWallsThatLeaveNoChamber) {
-  EXPECT_THROW(hollow_voxels(meshes::bar(1), {edge, 0.5 * edge, 1, 1, ChamberLayout::single}), std::invalid_argument);
-  EXPECT_THROW(hollow_voxels(meshes::bar(1), {edge, 0.0, 1, 1, ChamberLayout::single}), std::invalid_argument);
-  EXPECT_THROW(hollow_voxels(meshes::bar(1), {edge, wall, 0, 1, ChamberLayout::single}), std::invalid_argument);
+  EXPECT_THROW(hollow_voxels(meshes::bar(1), {voxel_edge, 0.5 * voxel_edge, 1, 1, ChamberLayout::single}), std::invalid_argument);
+  EXPECT_THROW(hollow_voxels(meshes::bar(1), {voxel_edge, 0.0, 1, 1, ChamberLayout::single}), std::invalid_argument);
+  EXPECT_THROW(hollow_voxels(meshes::bar(1), {voxel_edge, wall, 0, 1, ChamberLayout::single}), std::invalid_argument);
 }
 
 TEST(VoxelMasses, KeepTheMassOfTheBodyAndLeaveNoVoxelWithout) {

@@ -11,7 +11,7 @@
 namespace menger::voxel {
 namespace {
 
-constexpr double edge = 0.01;
+constexpr double cell_edge = 0.01;
 constexpr std::size_t below = 4;
 constexpr std::size_t above = 5;
 
@@ -20,7 +20,7 @@ using Openings = std::vector<std::array<WallOpening, 6>>;
 Openings openings_of(const meshes::Polycube& body, meshes::ChamberLayout chambers = meshes::ChamberLayout::single,
                      int voxels_per_cell = 1) {
   const HollowVoxels voxels = hollow_voxels(
-      body, {.cell_edge_m = edge, .wall_thickness_m = 0.002, .voxels_per_cell = voxels_per_cell, .chambers = chambers});
+      body, {.cell_edge_m = cell_edge, .wall_thickness_m = 0.002, .voxels_per_cell = voxels_per_cell, .chambers = chambers});
   return wall_openings(Lattice(voxels.body), voxels, voxels_per_cell);
 }
 
@@ -102,15 +102,16 @@ TEST(WallOpenings, LiftWhatRidesOnTheDomesOfASpool) {
   physics.gravity_m_s2 = 0.0;
   physics.damping_ratios.global = 0.02;
   physics.collisions.exclusion_depth.reset();
-  Simulation simulation(spool, edge, physics);
+  Simulation simulation(spool, cell_edge, physics);
   ASSERT_EQ(simulation.advance_to(2.0), io::RunStatus::completed);
   // Two beams that nothing strains: half a cell without walls beside it, half a neck, and the dome.
-  const double half_plate = 0.5 * edge * (1.0 + p.extension[walls::none].value(pressure_Pa));
-  const double half_neck = 0.5 * edge * (1.0 + p.extension[walls::closed].value(pressure_Pa));
-  const auto peak = [&](std::size_t c) { return edge * p.bulge_peak_ratio[c] * p.bulge[c].value(pressure_Pa); };
+  const double half_plate = 0.5 * cell_edge * (1.0 + p.extension[walls::none].value(pressure_Pa));
+  const double half_neck = 0.5 * cell_edge * (1.0 + p.extension[walls::closed].value(pressure_Pa));
+  const auto peak = [&](std::size_t c) { return cell_edge * p.bulge_peak_ratio[c] * p.bulge[c].value(pressure_Pa); };
   const double dome = p.neck_ratio * (peak(walls::none) + 2.0 * peak(walls::one) + peak(walls::corner)) / 4.0;
-  EXPECT_GT(dome, 0.05 * edge);
-  EXPECT_NEAR(simulation.position_m(14)[2] - simulation.position_m(4)[2], 2.0 * (half_plate + half_neck + dome), 1e-7 * edge);
+  EXPECT_GT(dome, 0.05 * cell_edge);
+  EXPECT_NEAR(simulation.position_m(14)[2] - simulation.position_m(4)[2], 2.0 * (half_plate + half_neck + dome),
+              1e-7 * cell_edge);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(Equilibrium, SagsAsAUniformCantileverOfManyVoxels) {
   EXPECT_NEAR(tip, expected, 2e-3 * std::abs(expected));
 }
 
-SurrogateParameters driven_parameters() {
+SurrogateParameters equilibrium_parameters() {
   SurrogateParameters parameters = sample_parameters();
   parameters.extension.fill({2e-5, 1e-5, -3e-5});
   return parameters;
@@ -121,11 +121,11 @@ SurrogateParameters driven_parameters() {
 
 TEST(Equilibrium, InflatesAFreeBodyByTheLawWithoutForces) {
   const meshes::Polycube cells = meshes::Polycube::from_digits(3, 2, 2, "111101100001");
-  const StaticBody body = sample_body(cells, {}, driven_parameters());
+  const StaticBody body = sample_body(cells, {}, equilibrium_parameters());
   Equilibrium equilibrium(body, {.fixed_voxels = {0}, .ground = false});
   for (const double pressure : {3000.0, -4000.0}) {
     ASSERT_EQ(equilibrium.load(under_pressure(pressure)), io::RunStatus::completed);
-    const double extension = driven_parameters().extension[0].value(pressure);
+    const double extension = equilibrium_parameters().extension[0].value(pressure);
     for (std::size_t i = 0; i < body.voxel_count(); ++i) {
       const Vector3<double> at_rest = body.rest[i].position - body.rest[0].position;
       const Vector3<double> now = equilibrium.pose(i).position - equilibrium.pose(0).position;
@@ -139,10 +139,10 @@ TEST(Equilibrium, InflatesAFreeBodyByTheLawWithoutForces) {
 }
 
 TEST(Equilibrium, PushesOnPlatesWithTheBlockedForce) {
-  const StaticBody body = sample_body(meshes::bar(3), both_ends, driven_parameters());
+  const StaticBody body = sample_body(meshes::bar(3), both_ends, equilibrium_parameters());
   Equilibrium equilibrium(body);
   ASSERT_EQ(equilibrium.load(under_pressure(5000.0)), io::RunStatus::completed);
-  const double x = driven_parameters().extension[4].value(5000.0);
+  const double x = equilibrium_parameters().extension[4].value(5000.0);
   EXPECT_NEAR(equilibrium.plate_load(1).force.x, -sample_axial() * x / (1.0 + x), 1e-9 * sample_axial());
   EXPECT_NEAR(equilibrium.plate_load(0).force.x, sample_axial() * x / (1.0 + x), 1e-9 * sample_axial());
 }
@@ -206,7 +206,7 @@ TEST(Equilibrium, OfACoupledBarHasTheStrainOfLeastEnergyUpToThePlates) {
 }
 
 TEST(Equilibrium, BalancesPlatesWeightAndGround) {
-  SurrogateParameters parameters = driven_parameters();
+  SurrogateParameters parameters = equilibrium_parameters();
   parameters.lateral_coupling = 0.4;
   const StaticBody body = sample_body(meshes::menger_sponge(), both_ends, parameters);
   Equilibrium equilibrium(body, {.fixed_voxels = {}, .ground = true});
@@ -224,7 +224,7 @@ TEST(Equilibrium, BalancesPlatesWeightAndGround) {
 }
 
 TEST(ForceBalance, OfABodyThatLeansOnTheGroundHasTheDerivativeOfItsForces) {
-  const StaticBody body = sample_body(meshes::Polycube::from_digits(2, 2, 2, "11111000"), {}, driven_parameters());
+  const StaticBody body = sample_body(meshes::Polycube::from_digits(2, 2, 2, "11111000"), {}, equilibrium_parameters());
   ForceBalance balance(body, {.fixed_voxels = {}, .ground = true});
   ASSERT_TRUE(balance.set_loads(under_pressure(2000.0)));
   StaticState state = balance.state_at_rest();
@@ -264,7 +264,7 @@ TEST(Equilibrium, StandsOnAGroundThatOnlyPushes) {
 }
 
 TEST(Equilibrium, StopsWhereALawReachesItsPole) {
-  const StaticBody body = sample_body(meshes::bar(2), both_ends, driven_parameters());
+  const StaticBody body = sample_body(meshes::bar(2), both_ends, equilibrium_parameters());
   Equilibrium equilibrium(body);
   EXPECT_EQ(equilibrium.load(under_pressure(1.1e5)), io::RunStatus::limit_point);  // the pole is at 1 / q = 1e5 Pa
   EXPECT_LT(equilibrium.loads().pressures_Pa[0], 1e5);
@@ -308,7 +308,7 @@ void expect_same(const Equilibrium& now, const StaticState& then, double pressur
 }
 
 TEST(Equilibrium, StaysTheLastOneWhereATangentIsSingular) {
-  const StaticBody body = sample_body(meshes::bar(3), {}, driven_parameters());
+  const StaticBody body = sample_body(meshes::bar(3), {}, equilibrium_parameters());
   Equilibrium equilibrium(body);  // held by nothing
   const StaticState before = equilibrium.state();
   StaticLoads loads = under_pressure(100.0);
@@ -318,7 +318,7 @@ TEST(Equilibrium, StaysTheLastOneWhereATangentIsSingular) {
 }
 
 TEST(Equilibrium, StaysTheLastOneWhereForcesAreNotFinite) {
-  const StaticBody body = sample_body(meshes::bar(3), both_ends, driven_parameters());
+  const StaticBody body = sample_body(meshes::bar(3), both_ends, equilibrium_parameters());
   Equilibrium equilibrium(body);
   ASSERT_EQ(equilibrium.load(under_pressure(500.0)), io::RunStatus::completed);
   const StaticState before = equilibrium.state();
@@ -331,7 +331,7 @@ TEST(Equilibrium, StaysTheLastOneWhereForcesAreNotFinite) {
 
 // Factors are dear: along a path of pressures a tangent serves for several steps.
 TEST(Equilibrium, FactorisesFewTangents) {
-  SurrogateParameters parameters = driven_parameters();
+  SurrogateParameters parameters = equilibrium_parameters();
   parameters.lateral_coupling = 0.4;
   const StaticBody body = sample_body(meshes::full_cube(3), {Side::z_min}, parameters);
   Equilibrium equilibrium(body);

@@ -18,7 +18,7 @@ namespace {
 using meshes::LoadCase;
 using meshes::LoadCaseKind;
 
-LoadCase load_case(LoadCaseKind kind, int length, std::vector<double> pressures, std::vector<double> imposed = {}) {
+LoadCase case_of_length(LoadCaseKind kind, int length, std::vector<double> pressures, std::vector<double> imposed = {}) {
   LoadCase result;
   result.name = "case";
   result.kind = kind;
@@ -31,7 +31,7 @@ LoadCase load_case(LoadCaseKind kind, int length, std::vector<double> pressures,
   return result;
 }
 
-SurrogateParameters driven_parameters() {
+SurrogateParameters response_parameters() {
   SurrogateParameters parameters = sample_parameters();
   parameters.extension.fill({2e-5, 1e-5, -3e-5});
   parameters.bulge.fill({1e-5, 2e-5, -1e-5});
@@ -48,8 +48,8 @@ double value(const LoadCaseResponse& response, const std::string& column, std::s
 }
 
 TEST(LoadCaseResponse, OfInflationIsTheLawOfOneCell) {
-  const SurrogateParameters parameters = driven_parameters();
-  const LoadCaseResponse response = respond(parameters, load_case(LoadCaseKind::inflation, 1, {-3000.0, 0.0, 4000.0}));
+  const SurrogateParameters parameters = response_parameters();
+  const LoadCaseResponse response = respond(parameters, case_of_length(LoadCaseKind::inflation, 1, {-3000.0, 0.0, 4000.0}));
   ASSERT_EQ(response.status, io::RunStatus::completed);
   ASSERT_EQ(response.values[0].size(), 3U);
   const double chamber = std::pow(sample_edge - 2.0 * 0.002, 3);
@@ -66,9 +66,9 @@ TEST(LoadCaseResponse, OfInflationIsTheLawOfOneCell) {
 }
 
 TEST(LoadCaseResponse, OfInflationCountsFacesOfLongBodies) {
-  const SurrogateParameters parameters = driven_parameters();
+  const SurrogateParameters parameters = response_parameters();
   const double pressure = 2000.0;
-  const LoadCaseResponse response = respond(parameters, load_case(LoadCaseKind::inflation, 3, {pressure}));
+  const LoadCaseResponse response = respond(parameters, case_of_length(LoadCaseKind::inflation, 3, {pressure}));
   const double x = parameters.extension[0].value(pressure);
   const double b = parameters.bulge[0].value(pressure);
   EXPECT_NEAR(value(response, "extent_x_m", 0), sample_edge * (3.0 * x + 2.0 * b), 1e-12);
@@ -81,7 +81,7 @@ TEST(LoadCaseResponse, OfInflationCountsFacesOfLongBodies) {
 TEST(LoadCaseResponse, OfInflationBulgesATeeNoWiderThanItsArms) {
   SurrogateParameters parameters = sample_parameters();
   for (std::size_t c = 0; c < wall_class_count; ++c) parameters.bulge[c].slope_per_Pa = 1e-6 * (1.0 + static_cast<double>(c * c));
-  LoadCase of = load_case(LoadCaseKind::inflation, 1, {1000.0});
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {1000.0});
   of.cells = {3, 2, 1};
   of.digits = "111010";
   const auto b = [&](std::size_t c) { return parameters.bulge[c].value(1000.0); };
@@ -107,7 +107,7 @@ TEST(LoadCaseResponse, OfFeetHasTheVolumeThatFiniteElementsFind) {
   const SurrogateParameters parameters =
       read_surrogate(std::filesystem::path(MENGER_SOURCE_DIR) / "voxel/parameters/dragon_skin_10_1cm.toml");
   for (const Foot& foot : feet) {
-    LoadCase of = load_case(LoadCaseKind::inflation, 1, {6000.0});
+    LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {6000.0});
     of.cells = {3, 3, 1};
     of.digits = foot.digits;
     const double found = value(respond(parameters, of), "volume_change", 0);
@@ -116,8 +116,8 @@ TEST(LoadCaseResponse, OfFeetHasTheVolumeThatFiniteElementsFind) {
 }
 
 TEST(LoadCaseResponse, TakesTheRimForTheTopOfABodyWithAHole) {
-  const SurrogateParameters parameters = driven_parameters();
-  LoadCase of = load_case(LoadCaseKind::inflation, 1, {2000.0});
+  const SurrogateParameters parameters = response_parameters();
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {2000.0});
   of.cells = {3, 3, 3};
   of.digits = meshes::menger_sponge().digits();
   const double x = parameters.extension[0].value(2000.0);
@@ -126,8 +126,8 @@ TEST(LoadCaseResponse, TakesTheRimForTheTopOfABodyWithAHole) {
 }
 
 TEST(LoadCaseResponse, OfABlockedBodyIsTheBlockedForce) {
-  const SurrogateParameters parameters = driven_parameters();
-  const LoadCaseResponse response = respond(parameters, load_case(LoadCaseKind::blocked, 2, {0.0, 5000.0}));
+  const SurrogateParameters parameters = response_parameters();
+  const LoadCaseResponse response = respond(parameters, case_of_length(LoadCaseKind::blocked, 2, {0.0, 5000.0}));
   const double x = parameters.extension[4].value(5000.0);
   EXPECT_NEAR(value(response, "force_N", 0), 0.0, 1e-9 * sample_axial());
   EXPECT_NEAR(value(response, "force_N", 1), -sample_axial() * x / (1.0 + x), 1e-9 * sample_axial());
@@ -141,7 +141,7 @@ TEST(LoadCaseResponse, OfABlockedBodyIsTheBlockedForce) {
 TEST(LoadCaseResponse, OfStretchIsHookesLawAndTheCoupling) {
   SurrogateParameters parameters = sample_parameters();
   parameters.lateral_coupling = 0.5;
-  const LoadCaseResponse response = respond(parameters, load_case(LoadCaseKind::stretch, 2, {0.0}, {0.0, 0.001, 0.002}));
+  const LoadCaseResponse response = respond(parameters, case_of_length(LoadCaseKind::stretch, 2, {0.0}, {0.0, 0.001, 0.002}));
   ASSERT_EQ(response.values[0].size(), 3U);
   for (std::size_t row = 0; row < 3; ++row) {
     const double strain = response.values[1][row] / 0.02;
@@ -156,16 +156,17 @@ TEST(LoadCaseResponse, OfShearBendingAndTorsionIsThatOfABar) {
   const double length = 4.0 * sample_edge;
   const double small = 1e-4;
   const SurrogateParameters parameters = sample_parameters();
-  const double shear = value(respond(parameters, load_case(LoadCaseKind::shear, 4, {0.0}, {small * length})), "force_N", 0);
-  const double moment = value(respond(parameters, load_case(LoadCaseKind::bending, 4, {0.0}, {small})), "moment_N_m", 0);
-  const double torque = value(respond(parameters, load_case(LoadCaseKind::torsion, 4, {0.0}, {small})), "moment_N_m", 0);
+  const double shear = value(respond(parameters, case_of_length(LoadCaseKind::shear, 4, {0.0}, {small * length})), "force_N", 0);
+  const double moment = value(respond(parameters, case_of_length(LoadCaseKind::bending, 4, {0.0}, {small})), "moment_N_m", 0);
+  const double torque = value(respond(parameters, case_of_length(LoadCaseKind::torsion, 4, {0.0}, {small})), "moment_N_m", 0);
   EXPECT_NEAR(shear, 12.0 * sample_bending() * small / (length * length), 1e-5 * shear);
   EXPECT_NEAR(moment, sample_bending() * small / length, 1e-5 * moment);
   EXPECT_NEAR(torque, sample_bending() * small / length, 1e-5 * torque);
 }
 
 TEST(LoadCaseResponse, OfPressIsTheGroundBehindTheHalfBeam) {
-  const LoadCaseResponse response = respond(sample_parameters(), load_case(LoadCaseKind::press, 2, {0.0}, {0.0, 0.0005, 0.001}));
+  const LoadCaseResponse response =
+      respond(sample_parameters(), case_of_length(LoadCaseKind::press, 2, {0.0}, {0.0, 0.0005, 0.001}));
   const double compliance = 1.0 / 500.0 + 0.5 * sample_edge / sample_axial();
   for (std::size_t row = 0; row < 3; ++row)
     EXPECT_NEAR(value(response, "force_N", row), 2.0 * response.values[1][row] / compliance, 1e-8 * sample_axial());
@@ -174,7 +175,7 @@ TEST(LoadCaseResponse, OfPressIsTheGroundBehindTheHalfBeam) {
 TEST(LoadCaseResponse, OfSagIsThatOfPointMasses) {
   SurrogateParameters parameters = sample_parameters();
   parameters.density_kg_m3 = 10.0;
-  const LoadCaseResponse response = respond(parameters, load_case(LoadCaseKind::sag, 2, {0.0}, {0.5, 1.0}));
+  const LoadCaseResponse response = respond(parameters, case_of_length(LoadCaseKind::sag, 2, {0.0}, {0.5, 1.0}));
   const double wall = (std::pow(0.01, 3) * 2.0 - 0.006 * 0.006 * 0.016) * 0.5;  // of each of the two voxels
   const double weight = 10.0 * wall * 9.80665;
   const double tip = 2.0 * sample_edge;
@@ -187,7 +188,7 @@ TEST(LoadCaseResponse, OfSagIsThatOfPointMasses) {
 
 TEST(LoadCaseResponse, OfModesOfOneCellIsThatOfAMassOnAHalfBeam) {
   const SurrogateParameters parameters = sample_parameters();
-  const LoadCaseResponse response = respond(parameters, load_case(LoadCaseKind::modes, 1, {0.0}));
+  const LoadCaseResponse response = respond(parameters, case_of_length(LoadCaseKind::modes, 1, {0.0}));
   ASSERT_EQ(response.status, io::RunStatus::completed);
   const double mass = parameters.density_kg_m3 * (1e-6 - std::pow(0.006, 3));
   const double factor = (std::pow(0.01, 5) - std::pow(0.006, 5)) / ((1e-6 - std::pow(0.006, 3)) * 1e-4);
@@ -203,40 +204,41 @@ TEST(LoadCaseResponse, OfModesOfOneCellIsThatOfAMassOnAHalfBeam) {
 }
 
 TEST(LoadCaseResponse, HasARowForEveryStateInOrder) {
-  const LoadCase of = load_case(LoadCaseKind::stretch, 1, {0.0, 1000.0}, {0.0, 0.001, 0.002});
-  const LoadCaseResponse response = respond(driven_parameters(), of);
+  const LoadCase of = case_of_length(LoadCaseKind::stretch, 1, {0.0, 1000.0}, {0.0, 0.001, 0.002});
+  const LoadCaseResponse response = respond(response_parameters(), of);
   EXPECT_EQ(response.columns, meshes::response_columns(LoadCaseKind::stretch));
   EXPECT_EQ(response.values[0], (std::vector<double>{0.0, 0.0, 0.0, 1000.0, 1000.0, 1000.0}));
   EXPECT_EQ(response.values[1], (std::vector<double>{0.0, 0.001, 0.002, 0.0, 0.001, 0.002}));
-  const LoadCaseResponse one = respond(driven_parameters(), of, {{1000.0, 0.001}});
+  const LoadCaseResponse one = respond(response_parameters(), of, {{1000.0, 0.001}});
   ASSERT_EQ(one.values[0].size(), 1U);
   EXPECT_NEAR(one.values[2][0], response.values[2][4], 1e-9 * sample_axial());
 }
 
 TEST(LoadCaseResponse, EndsWithAStatusWhereThereIsNoEquilibrium) {
-  const LoadCaseResponse response = respond(driven_parameters(), load_case(LoadCaseKind::inflation, 1, {1000.0, 1.2e5, 2000.0}));
+  const LoadCaseResponse response =
+      respond(response_parameters(), case_of_length(LoadCaseKind::inflation, 1, {1000.0, 1.2e5, 2000.0}));
   EXPECT_EQ(response.status, io::RunStatus::limit_point);
   EXPECT_EQ(response.values[0], (std::vector<double>{1000.0}));
   EXPECT_EQ(response.reason, "wall class 4 has no equilibrium at pressure_Pa = 120000");
 }
 
 TEST(LoadCaseResponse, IgnoresPolesOfWallsThatTheBodyDoesNotHave) {
-  SurrogateParameters parameters = driven_parameters();
+  SurrogateParameters parameters = response_parameters();
   parameters.bulge[0].pressure_softening_per_Pa = 1e-2;  // a single cell has walls on four sides along every axis
-  EXPECT_EQ(respond(parameters, load_case(LoadCaseKind::inflation, 1, {4000.0})).status, io::RunStatus::completed);
+  EXPECT_EQ(respond(parameters, case_of_length(LoadCaseKind::inflation, 1, {4000.0})).status, io::RunStatus::completed);
 }
 
 TEST(LoadCaseResponse, EndsWhereWallsMeet) {
   // A cell whose walls bulge only: they leave 10 mm - 2 * 2 mm - 2 * 10 mm * 1e-5/Pa p of air, none from -30 kPa on.
   SurrogateParameters parameters = sample_parameters();
   parameters.bulge.fill({.slope_per_Pa = 1e-5});
-  LoadCase of = load_case(LoadCaseKind::inflation, 1, {-29.9e3, -30.1e3, -40e3});
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {-29.9e3, -30.1e3, -40e3});
   const LoadCaseResponse response = respond(parameters, of);
   EXPECT_EQ(response.status, io::RunStatus::wall_contact);
   EXPECT_EQ(response.values[0], (std::vector<double>{-29.9e3}));
   EXPECT_EQ(response.reason, "chamber walls across x meet at voxel 0, 0, 0");
   // Along a bar of three the chamber is 26 mm deep, so that the long walls meet first.
-  of = load_case(LoadCaseKind::inflation, 3, {-30.1e3});
+  of = case_of_length(LoadCaseKind::inflation, 3, {-30.1e3});
   EXPECT_EQ(respond(parameters, of).reason, "chamber walls across y meet at voxel 0, 0, 0");
   parameters.bulge[walls::limb] = parameters.bulge[walls::three] = {};  // sides of the bar: only its ends bulge, class 4 along x
   EXPECT_EQ(respond(parameters, of).status, io::RunStatus::completed);
@@ -247,7 +249,7 @@ TEST(LoadCaseResponse, EndsWhereTheWallBetweenTwoPhasesIsMet) {
   // their own wall are 2 * 10 mm - 2 mm - 1 mm of air, which the other takes up at 10 mm * 1e-4/Pa p, from -17 kPa on.
   SurrogateParameters parameters = sample_parameters();
   parameters.bulge[walls::closed] = {.slope_per_Pa = 1e-4};  // ends of the bar; its sides stand still
-  LoadCase of = load_case(LoadCaseKind::inflation, 4, {-16.9e3, -17.1e3});
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 4, {-16.9e3, -17.1e3});
   of.digits = "1122";
   of.per_phase = true;
   const LoadCaseResponse response = respond(parameters, of);
@@ -255,7 +257,7 @@ TEST(LoadCaseResponse, EndsWhereTheWallBetweenTwoPhasesIsMet) {
   EXPECT_EQ(response.values[0], (std::vector<double>{-16.9e3}));
   EXPECT_EQ(response.reason, "chamber walls across x meet at voxel 0, 0, 0");
   // Modules have a wall of their own each: 16 mm of air.
-  of = load_case(LoadCaseKind::inflation, 2, {-15.9e3, -16.1e3});
+  of = case_of_length(LoadCaseKind::inflation, 2, {-15.9e3, -16.1e3});
   of.level = 2;
   const LoadCaseResponse bonded = respond(parameters, of);
   EXPECT_EQ(bonded.status, io::RunStatus::wall_contact);
@@ -265,7 +267,7 @@ TEST(LoadCaseResponse, EndsWhereTheWallBetweenTwoPhasesIsMet) {
 TEST(LoadCaseResponse, OfAnUnsymmetricBodyDoesNotDependOnWhatHoldsIt) {
   // An L whose thick part is wide enough to warp.
   const meshes::Polycube ell = meshes::Polycube::from_digits(3, 2, 1, "111110");
-  SurrogateParameters parameters = driven_parameters();
+  SurrogateParameters parameters = response_parameters();
   for (std::size_t c = 0; c < wall_class_count; ++c) parameters.extension[c].slope_per_Pa = 1e-5 * static_cast<double>(1 + c);
   parameters.lateral_coupling = 0.3;
   const StaticBody body = sample_body(ell, {}, parameters);
@@ -286,17 +288,17 @@ TEST(LoadCaseResponse, OfAnUnsymmetricBodyDoesNotDependOnWhatHoldsIt) {
 }
 
 TEST(LoadCaseResponse, RefusesParametersOfOtherCells) {
-  LoadCase other = load_case(LoadCaseKind::inflation, 1, {0.0});
+  LoadCase other = case_of_length(LoadCaseKind::inflation, 1, {0.0});
   other.wall_thickness_m = 0.0015;
   EXPECT_THROW(static_cast<void>(respond(sample_parameters(), other)), std::invalid_argument);
 }
 
 /// Every kind on a body with holes, per phase and refined: finite numbers, and the symmetry of the body.
 TEST(LoadCaseResponse, OfSymmetricBodiesIsSymmetric) {
-  LoadCase of = load_case(LoadCaseKind::inflation, 1, {3000.0});
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {3000.0});
   of.cells = {3, 3, 3};
   of.digits = meshes::menger_sponge().digits();
-  SurrogateParameters parameters = driven_parameters();
+  SurrogateParameters parameters = response_parameters();
   parameters.axial_Pa = {0.5e5, 0.6e5, 0.8e5, 0.9e5, 1e5};
   parameters.lateral_coupling = 0.3;
   for (std::size_t c = 0; c < wall_class_count; ++c) parameters.extension[c].slope_per_Pa = 1e-5 * static_cast<double>(1 + c);
@@ -309,8 +311,8 @@ TEST(LoadCaseResponse, OfSymmetricBodiesIsSymmetric) {
 
 TEST(LoadCaseResponse, SaysHowFarFeetMoveOutwards) {
   // Two legs below the ends of a bar: the bar grows by its two beams and takes them along.
-  const SurrogateParameters parameters = driven_parameters();
-  LoadCase of = load_case(LoadCaseKind::inflation, 3, {4000.0});
+  const SurrogateParameters parameters = response_parameters();
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 3, {4000.0});
   of.cells = {3, 1, 2};
   of.digits = "101111";
   const LoadCaseResponse response = respond(parameters, of);
@@ -335,7 +337,7 @@ TEST(LoadCaseResponse, SplaysTheLegsOfTablesAsFiniteElementsDo) {
   const SurrogateParameters parameters =
       read_surrogate(std::filesystem::path(MENGER_SOURCE_DIR) / "voxel/parameters/dragon_skin_10_1cm.toml");
   for (const Table& table : tables) {
-    LoadCase of = load_case(LoadCaseKind::inflation, 1, {table.pressure_Pa});
+    LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {table.pressure_Pa});
     of.cells = {3, 3, table.layers};
     of.digits = table.digits;
     EXPECT_NEAR(value(respond(parameters, of), "foot_1_out_m", 0), table.foot_m, 0.2 * table.foot_m) << table.digits;
@@ -344,12 +346,12 @@ TEST(LoadCaseResponse, SplaysTheLegsOfTablesAsFiniteElementsDo) {
 
 TEST(LoadCaseResponse, TiltsALegByTheSlopeOfItsPlate) {
   // No load acts on a free leg, so it stands on the plane through the corners of its opening: two at the rim, two at crowns.
-  SurrogateParameters parameters = driven_parameters();
+  SurrogateParameters parameters = response_parameters();
   for (std::size_t c = 0; c < wall_class_count; ++c)
     parameters.bulge[c] = {.slope_per_Pa = (7.0 - static_cast<double>(c)) * 2e-6};
   parameters.neck_ratio = 1.3;
   constexpr double pressure = 3000.0;
-  LoadCase of = load_case(LoadCaseKind::inflation, 3, {pressure});
+  LoadCase of = case_of_length(LoadCaseKind::inflation, 3, {pressure});
   of.cells = {3, 3, 2};
   of.digits = "000101000111111111";
   constexpr std::size_t leg = 0;

@@ -13,7 +13,7 @@ using meshes::LoadCaseKind;
 using samples::bar_curve;
 
 // Sums and quotients of a few numbers of order one.
-constexpr double rounding = 1e-12;
+constexpr double actuation_rounding = 1e-12;
 
 /// Chamber of three cells of 1 cm with walls of 2 mm.
 constexpr double chamber_share = 0.026 * 0.006 * 0.006 / (0.03 * 0.01 * 0.01);
@@ -35,16 +35,16 @@ TEST(VolumeActuation, ReadsTheCurveBetweenItsStates) {
   meshes::ResponseCurve curve = curve_of({-4e3, -2e3, 5e3, 10e3, 20e3}, {-0.4, -0.2, 0.1, 0.3, 0.9});
   const VolumeActuation actuation =
       volume_actuation(curve, "bar", {.pressure_Pa = 6e3, .largest_change = 0.5, .smallest_change = -0.3});
-  EXPECT_NEAR(actuation.chamber_share, chamber_share, rounding);
-  EXPECT_NEAR(actuation.change_at_pressure.value(), 0.14, rounding);
+  EXPECT_NEAR(actuation.chamber_share, chamber_share, actuation_rounding);
+  EXPECT_NEAR(actuation.change_at_pressure.value(), 0.14, actuation_rounding);
   EXPECT_NEAR(actuation.pressure_for_largest_Pa.value(), 10e3 + 10e3 / 3.0, 1e-8);
   EXPECT_NEAR(actuation.pressure_for_smallest_Pa.value(), -3e3, 1e-8);
-  EXPECT_NEAR(actuation.change_at_lowest, -0.4, rounding);
+  EXPECT_NEAR(actuation.change_at_lowest, -0.4, actuation_rounding);
 }
 
 TEST(VolumeActuation, KnowsTheStateAtRestWithoutARowForIt) {
   const VolumeActuation actuation = volume_actuation(curve_of({12e3}, {0.6}), "bar", actuation_aim(6e3, 0.144714));
-  EXPECT_NEAR(actuation.change_at_pressure.value(), 0.3, rounding);
+  EXPECT_NEAR(actuation.change_at_pressure.value(), 0.3, actuation_rounding);
   EXPECT_FALSE(actuation.pressure_for_smallest_Pa.has_value());
   EXPECT_EQ(actuation_sentences(actuation, actuation_aim(6e3, 0.144714)).back(), "the curve contains no vacuum");
 }
