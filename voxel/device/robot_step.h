@@ -165,7 +165,7 @@ class RobotStepper {
       return beam_end_rates<0>(inverse, motion(lower), motion(upper));
     };
     const BeamStep<Real> step =
-        step_of_beam<Velocity, false>(rate_scale, c, ends, rates, arrays_.state + robot_.history + beam, robot_.beams());
+        step_of_beam<Velocity, false, Real>(rate_scale, c, ends, rates, arrays_.state + robot_.history + beam, robot_.beams());
     in_range = in_range && is_strain_in_range(step.state.deformation, ends.rest_length, robot_.strain_limit);
     return to_world(step.state.frame, step.elastic + step.damping);
   }
