@@ -88,7 +88,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("-o,--output", arguments.archive, "Archive of the run; made if it does not exist")->capture_default_str();
   app.add_option("-t,--threads", arguments.threads,
                  "Threads, of each process under mpirun; the result does not depend on them (default: cores, shared by the "
-                 "processes of a machine)")
+                 "processes of a machine; for walks of finite elements on a graphics processor two for each multiprocessor)")
       ->check(CLI::Range(1, 1024));
   app.add_option("--rank-patience", arguments.rank_patience_s,
                  "Under mpirun: seconds without a sign of life after which the others go on without a process")
@@ -105,8 +105,8 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("--device", arguments.overrides.device,
                  "What evaluates bodies, instead of the study's: cpu, or cuda for a graphics processor, which takes a whole "
                  "generation at once; results of the two differ by rounding")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Device>{{"cpu", Device::cpu}, {"cuda", Device::cuda}}, CLI::ignore_case));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, io::Device>{{"cpu", io::Device::cpu}, {"cuda", io::Device::cuda}},
+                                          CLI::ignore_case));
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -258,7 +258,7 @@ void require_memory(const Study& study, int threads, int processes) {
 }
 
 void require_device(const Study& study) {
-  if (study.device == Device::cpu) return;
+  if (study.device == io::Device::cpu) return;
   if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty())
     throw io::InputError("--device " + std::string(to_string(study.device)) + ": " + obstacle);
 }
@@ -478,13 +478,22 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   return has_champion ? io::exit_code::done : io::exit_code::numerical;
 }
 
+/// Returns the threads of a process where none are stated. Walks on a graphics processor each wait in a thread: two for each of
+/// its multiprocessors, so that there is always one that need not wait for this processor.
+int usual_threads(const Arguments& arguments, const io::RankSession& ranks) {
+  const Study study = read_study(arguments.study, arguments.overrides);
+  const auto processor = io::graphics_processor();
+  if (study.device == io::Device::cpu || !uses_elements(study) || !processor) return ranks.usual_threads();
+  return std::max(ranks.usual_threads(), 2 * processor->multiprocessors / ranks.count_on_machine());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   return io::run_rank_program("menger-evolve", [&](io::RankSession& ranks) -> int {
     Arguments arguments;
     if (const auto code = parse(arguments, argc, argv)) return *code;
-    if (arguments.threads == 0) arguments.threads = ranks.usual_threads();
+    if (arguments.threads == 0) arguments.threads = usual_threads(arguments, ranks);
     return ranks.is_first() ? evolve(arguments, ranks) : evaluate_for_first_rank(arguments, ranks);
   });
 }

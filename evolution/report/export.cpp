@@ -176,6 +176,7 @@ class Exporter {
   void make_walk() {
     fem::LocomotionStudy& walk = walk_;
     static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body);
+    walk.device = io::Device::cpu;  // a walk more does not ask for a graphics processor
     walk.design = design(1);
     walk.file = folder_ / "champion_walk.toml";
     walk.output.frames = options_.frames;

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "evolution/evaluation/device.h"
 #include "evolution/evaluation/steady_displacement.h"
 #include "evolution/genome/robot_form.h"
 #include "evolution/search/search_plan.h"
 #include "evolution/study/silicone_physics.h"
+#include "io/device/graphics_processor.h"
 #include "voxel/model/parameters.h"
 
 namespace menger::evolution {
@@ -65,7 +65,7 @@ struct Study {
   double duration_s = 5.0;      ///< simulated time of an evaluation, > 0
   double measure_from_s = 0.0;  ///< time from which displacement counts, >= 0 and < duration_s
   EvaluationModel model = EvaluationModel::voxels;
-  Device device = Device::cpu;
+  io::Device device = io::Device::cpu;
   Measure measure = Measure::net_displacement;
   std::size_t measure_periods = 5;  ///< how many periods count if the last ones are measured
   /// On finite elements, if the last periods are measured: a body that leans more than this, in degrees, has fallen and has no

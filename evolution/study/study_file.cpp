@@ -147,11 +147,12 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
        "which alone decide who survives."},
       study.model, io::words_of(voxels, finite_elements, both));
   // Archives of earlier versions do not have this key, and go on with it at its default.
-  if (part == Part::whole || study.device != Device::cpu) {
+  if (part == Part::whole || study.device != io::Device::cpu) {
     visitor.word({"device",
                   "What evaluates bodies. cpu: the processor; cuda: a graphics processor, which takes the voxels of a whole "
-                  "generation at once. Results of the two differ by rounding."},
-                 study.device, io::words_of(Device::cpu, Device::cuda));
+                  "generation at once, or walks of thin walls, as many as there are threads. Results of the two differ by "
+                  "rounding."},
+                 study.device, io::words_of(io::Device::cpu, io::Device::cuda));
   }
   visitor.word({"measure",
                 "What is measured of a motion. net_displacement: from time.measure_from_s to the end; last_periods: the "
@@ -401,8 +402,10 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
 /// Returns why bodies of a study cannot be evaluated on its device, or an empty text. Whether there is such a device is not
 /// asked.
 std::string unusable_device(const Study& study) {
-  if (study.device == Device::cpu || !uses_elements(study)) return "";
-  return "evaluation.device = \"" + std::string(to_string(study.device)) + "\": only voxels can be evaluated there";
+  const bool are_walls = study.silicone.elements.kind == fem::ElementKind::thin_wall;
+  if (study.device == io::Device::cpu || !uses_elements(study) || are_walls) return "";
+  return "evaluation.device = \"" + std::string(to_string(study.device)) +
+         "\": of finite elements only thin walls move there: choose elements.kind = \"thin_wall\"";
 }
 
 /// Returns why hollow modules cannot be driven as a study says, or an empty text.

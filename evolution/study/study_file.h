@@ -20,7 +20,7 @@ struct StudyOverrides {
   std::optional<std::vector<int>> levels;
   std::optional<double> duration_s;
   std::optional<std::uint64_t> seed;
-  std::optional<Device> device;
+  std::optional<io::Device> device{};
 };
 
 /// Describes the keys of a study, without its preset. With `[surrogate]`, bodies are hollow cells with calibrated parameters, and

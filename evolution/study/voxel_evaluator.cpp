@@ -63,7 +63,7 @@ io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const
 }  // namespace
 
 VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s,
-                               std::optional<LastPeriods> last, Device device)
+                               std::optional<LastPeriods> last, io::Device device)
     : physics_(physics),
       cell_edge_m_(cell_edge_m),
       duration_s_(duration_s),
@@ -76,7 +76,7 @@ VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m
 std::vector<io::RunStatus> VoxelEvaluator::advance(Walkers& walkers, double time_s, const std::atomic<bool>& stop,
                                                    const ThreadsNow& threads) const {
   std::vector<voxel::Simulation>& simulations = walkers.simulations;
-  if (device_ == Device::cuda) {
+  if (device_ == io::Device::cuda) {
     voxel::DeviceAdvance advance = voxel::advance_on_device_to(simulations, time_s, &stop, voxel::Stepper::graphics_processor);
     for (std::size_t i = 0; i < simulations.size(); ++i)
       if (advance.on_processor[i]) walkers.on_processor[i] = true;
@@ -168,7 +168,7 @@ void VoxelEvaluator::walk(Walkers& walkers, const std::atomic<bool>& stop, const
 
 std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const EvaluationTask> tasks, int workers) const {
   std::vector<std::vector<std::size_t>> groups;
-  if (device_ == Device::cuda) {
+  if (device_ == io::Device::cuda) {
     // The device steps the robots of all workers at once, and these share what remains to the processor: to build the robots.
     const std::size_t shares = std::min(tasks.size(), static_cast<std::size_t>(workers));
     groups.resize(shares);
@@ -196,7 +196,7 @@ std::string VoxelEvaluator::physics() const {
   std::string text = "duration_s = " + io::number_text(duration_s_) + "\n";
   if (measure_from_s_ > 0.0) text += "measure_from_s = " + io::number_text(measure_from_s_) + "\n";
   if (last_) text += "measure_periods = " + std::to_string(last_->count) + "\n";
-  if (device_ != Device::cpu) text += "device = \"" + std::string(to_string(device_)) + "\"\n";
+  if (device_ != io::Device::cpu) text += "device = \"" + std::string(to_string(device_)) + "\"\n";
   return text + "cell_edge_m = " + io::number_text(cell_edge_m_) + "\n" + voxel::physics_text(physics_);
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "evolution/evaluation/device.h"
 #include "evolution/evaluation/evaluator.h"
+#include "io/device/graphics_processor.h"
 #include "voxel/lanes/simulation.h"
 #include "voxel/model/parameters.h"
 
@@ -32,7 +32,7 @@ class VoxelEvaluator final : public DesignEvaluator {
   /// @param last periods that are measured instead of the net displacement
   /// @param device that evaluates; see io::obstacle_to_device
   VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s = 0.0,
-                 std::optional<LastPeriods> last = {}, Device device = Device::cpu);
+                 std::optional<LastPeriods> last = {}, io::Device device = io::Device::cpu);
 
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
@@ -64,7 +64,7 @@ class VoxelEvaluator final : public DesignEvaluator {
   double duration_s_;
   double measure_from_s_;
   std::optional<LastPeriods> last_;
-  Device device_;
+  io::Device device_;
   mutable std::atomic<std::size_t> on_processor_{0};  ///< bodies that the device left to the processor
 };
 

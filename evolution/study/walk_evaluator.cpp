@@ -125,6 +125,7 @@ fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body) {
   walk.duration_s = study.duration_s;
   walk.record_interval_s = record_interval_s(study);
   walk.step_safety = study.silicone.step_safety;
+  walk.device = study.device;
   return walk;
 }
 
@@ -201,6 +202,7 @@ std::string WalkEvaluator::physics() const {
   if (const auto last = measured_periods(study_)) text.add("measure_periods", last->count);
   if (measured_periods(study_) && study_.largest_lean_deg < 180.0) text.add("largest_lean_deg", study_.largest_lean_deg);
   text.add("record_interval_s", record_interval_s(study_));
+  if (study_.device != io::Device::cpu) text.add("device", to_string(study_.device));
   io::StudyTextWriter moving;
   Study described = study_;
   describe_moving(moving, described);

@@ -1,5 +1,6 @@
 #include "fem/device/cuda_step_taker.h"
 
+#include <stdexcept>
 #include <string>
 
 #include "fem/device/body_arrays.h"
@@ -13,7 +14,7 @@ namespace menger::fem {
 
 std::unique_ptr<StepTaker> cuda_step_taker(const meshes::HexahedralMesh& mesh, const ExplicitBody& body,
                                            const ExplicitBodyOptions& options, const NodalLoads& loads) {
-  if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty()) throw io::InputError(obstacle);
+  if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty()) throw std::runtime_error(obstacle);
   if (const std::string obstacle = obstacle_to_blocks(mesh, options); !obstacle.empty())
     throw io::InputError("this body cannot move on a graphics processor: " + obstacle);
 #ifdef MENGER_WITH_CUDA

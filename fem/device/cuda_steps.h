@@ -43,7 +43,7 @@ template <class Number>
 class CudaSteps final : public StepTaker {
  public:
   /// Steps in one order, at most.
-  static constexpr std::size_t most_steps = 1024;
+  static constexpr std::size_t most_steps = 256;
 
   CudaSteps(const meshes::HexahedralMesh& mesh, const ExplicitBody& body, const ExplicitBodyOptions& options,
             const NodalLoads& loads);

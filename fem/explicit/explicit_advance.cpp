@@ -16,6 +16,9 @@ namespace {
 constexpr double little_change = 0.25;
 constexpr std::size_t least_steps_to_bound = 10;
 
+/// Steps that are left to another one in one order, at most: contact is looked for after some 200.
+constexpr std::size_t most_left_steps = 256;
+
 /// Steps after which single precision begins anew at the place of the body: at 1 m/s it has moved on by about an element.
 constexpr std::size_t most_followed_steps = 32;
 
@@ -95,7 +98,7 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
   std::size_t taken = 0;
   while (taken < count && !objection) {
     if (may_leave_steps()) {
-      const StepsOutcome left = leave_steps(step_s, count - taken);
+      const StepsOutcome left = leave_steps(step_s, std::min(count - taken, most_left_steps));
       taken += left.steps;
       elements_follow_ = false;
       if (left.has_failed) objection = failure_in_element();

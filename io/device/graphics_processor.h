@@ -2,14 +2,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace menger::io {
 
-/// Where steps are taken.
+/// Where bodies move.
 enum class Device {
-  cpu,  ///< by the processor that runs the program
-  cuda  ///< on a graphics processor
+  cpu,  ///< on the processor that runs the program
+  cuda  ///< on a graphics processor, with the help of that one
 };
+
+constexpr std::string_view to_string(Device device) { return device == Device::cpu ? "cpu" : "cuda"; }
 
 /// A graphics processor that CUDA can use.
 struct GraphicsProcessor {

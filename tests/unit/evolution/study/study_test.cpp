@@ -291,10 +291,10 @@ TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
 
 TEST_F(StudyFile, TheDeviceBelongsToTheIdentityUnlessItIsTheProcessor) {
   const Study usual = read("preset = \"paper\"\n");
-  EXPECT_EQ(usual.device, Device::cpu);
+  EXPECT_EQ(usual.device, io::Device::cpu);
   EXPECT_EQ(identity_text(usual).find("device"), std::string::npos) << "archives of earlier versions go on";
   const Study on_device = read("preset = \"paper\"\n[evaluation]\ndevice = \"cuda\"\n");
-  EXPECT_EQ(on_device.device, Device::cuda);
+  EXPECT_EQ(on_device.device, io::Device::cuda);
   EXPECT_NE(identity_text(on_device), identity_text(usual));
   EXPECT_EQ(study_from_text(resolved_text(on_device), "resolved.toml"), on_device);
   EXPECT_NE(evaluator_of(on_device)->physics(), evaluator_of(usual)->physics());
