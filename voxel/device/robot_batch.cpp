@@ -90,7 +90,7 @@ template <class Real>
 void RobotBatch<Real>::add(const MovingBody<Real>& robot) {
   const StepData<Real>& d = robot.data();
   RobotData<Real> one;
-  static_cast<StepConstants<Real>&>(one) = d;
+  static_cast<StepConstants<Real>&>(one) = static_cast<const StepConstants<Real>&>(d);
   one.rate_scale = static_cast<Real>(1.0 / robot.body().time_step_s);
   one.floor_depth = d.floor_depth;
   one.displacement_limit2 = d.displacement_limit2;

@@ -62,9 +62,9 @@ class RobotBatch {
 
  private:
   void add(const MovingBody<Real>& robot);
-  void add_beams(const MovingBody<Real>& robot, RobotData<Real>& data);
-  void add_voxels(const MovingBody<Real>& robot, RobotData<Real>& data);
-  void add_contacts(const MovingBody<Real>& robot, RobotData<Real>& data);
+  void add_beams(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_voxels(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_contacts(const MovingBody<Real>& robot, RobotData<Real>& one);
   void choose_launch(std::uint32_t position);
   [[nodiscard]] std::uint64_t all_steps(std::size_t robot) const {
     return robots_[robot]->record().steps + progress_[robot].made;

@@ -201,7 +201,7 @@ class RobotStepper {
   /// @return false if one is too fast, or not finite
   MENGER_HOST_DEVICE bool move_voxels(const StepDrive& drive) {
     using std::sqrt;
-    StepConstants<Real> constants = robot_;
+    StepConstants<Real> constants = static_cast<const StepConstants<Real>&>(robot_);
     constants.next_sine = static_cast<Real>(drive.sine);
     constants.next_cosine = static_cast<Real>(drive.cosine);
     bool is_slow = true;
