@@ -300,9 +300,9 @@ void RobotBatch<Real>::choose_launch(std::uint32_t position) {
   const RobotData<Real>& one = data[position];
   LaunchShape shape;
   shape.velocity = robots_[position]->body().physics.integration.damping == DampingMode::velocity;
-  shape.variety = robots_[position]->pressures() != nullptr ? BeamVariety::own_lengths
-                  : robots_[position]->state().uniform()    ? BeamVariety::uniform
-                                                            : BeamVariety::classes;
+  shape.variety = robots_[position]->pressures() != nullptr                   ? BeamVariety::own_lengths
+                  : robots_[position]->state().uniform() && !one.has_coupling ? BeamVariety::uniform
+                                                                              : BeamVariety::classes;
   shape.block_bytes = (2 * line_size + numbers_of_load) * one.stride * sizeof(Real);
   shape.in_block = shape.block_bytes <= most_block_bytes;
   if (!shape.in_block) shape.block_bytes = 0;

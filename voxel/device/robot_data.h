@@ -135,11 +135,12 @@ struct RobotOutcome {
 
 /// Which steps a launch takes, and with how many threads for each of its robots.
 struct LaunchShape {
-  bool velocity = false;                       ///< damping is from velocities
-  BeamVariety variety = BeamVariety::classes;  ///< own_lengths also for bodies with kinks
-  bool in_block = false;                       ///< poses, motions and loads fit the memory of a block
-  std::uint32_t threads = 32;                  ///< of a block, a multiple of 32
-  std::size_t block_bytes = 0;                 ///< memory of a block
+  bool velocity = false;  ///< damping is from velocities
+  /// own_lengths also for bodies with kinks, and uniform only for bodies without lateral coupling
+  BeamVariety variety = BeamVariety::classes;
+  bool in_block = false;        ///< poses, motions and loads fit the memory of a block
+  std::uint32_t threads = 32;   ///< of a block, a multiple of 32
+  std::size_t block_bytes = 0;  ///< memory of a block
 
   bool operator==(const LaunchShape&) const = default;
 };

@@ -51,7 +51,9 @@ class RobotStepper {
       if (thread_.any(!in_range || !is_valid_)) {
         outcome.end = thread_.any(!in_range) ? RobotEnd::strained : RobotEnd::outside;
       } else {
-        if (robot_.has_coupling) add_coupling_loads();
+        if constexpr (!Uniform) {
+          if (robot_.has_coupling) add_coupling_loads();
+        }
         if (collides) {
           add_contact_loads();
           thread_.wait();
