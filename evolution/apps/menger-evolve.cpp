@@ -471,7 +471,8 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   }
   if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive, others, manifest);
   if (status == io::RunStatus::stopped) {
-    std::cout << "Stopped. Finished evaluations are kept. Run the same command again to resume." << std::endl;
+    std::cout << "Stopped. " << (is_steady_state(study.search) ? "Robots that ended" : "Finished evaluations")
+              << " are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
   }
   const bool has_champion = print_champion(run, study, *archive.last_generation(), errors);

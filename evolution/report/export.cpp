@@ -101,6 +101,8 @@ class Exporter {
     if (options_.timings) {
       add("timings.csv", timing_table(run_));
       add("schedule.csv", schedule_table(run_, options_.workers));
+      if (run_.plan.selection_time == SelectionTime::steady_state)
+        add_note("no generation of this search waited for its end: schedule.csv estimates times of generations that do");
     }
     if (study_.search.step_checks) add("check_dt.csv", step_check_table(run_));
     if (!confirmed.empty()) add("confirmed.csv", confirmation_table(study_, confirmed));

@@ -62,10 +62,12 @@ class SteadySearch {
 
   void restore() {
     archived_ = archive_.events();
-    order_ = options_.replayed.empty() ? archived_ : options_.replayed;
-    const std::size_t shared = std::min(archived_.size(), order_.size());
-    if (!std::equal(archived_.begin(), archived_.end(), order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(shared)))
+    const std::vector<SearchEvent>& replayed = options_.replayed;
+    const auto shared = static_cast<std::ptrdiff_t>(std::min(archived_.size(), replayed.size()));
+    if (!std::equal(replayed.begin(), replayed.begin() + shared, archived_.begin()))
       throw io::InputError(archive_.file().string() + ": has another order of results than the one that is to be replayed");
+    // The archive has more if it was replayed before, and went on.
+    order_ = archived_.size() < replayed.size() ? replayed : archived_;
     last_generation_ = archive_.last_generation().value_or(-1);
     is_over_ = plan_.generations <= last_generation_;
   }
@@ -205,7 +207,7 @@ class SteadySearch {
     population_.insert(std::ranges::upper_bound(population_, id, {}, [](const Robot& one) { return one.individual.id; }),
                        std::move(robot));
     select();
-    if (options_.progress) {
+    if (options_.progress && generation_ > last_generation_) {
       const std::size_t before = generation_ == 0 ? 0 : results_of(generation_ - 1);
       options_.progress({generation_, ended_ - before, results_of(generation_) - before});
     }

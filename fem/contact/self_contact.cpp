@@ -40,15 +40,22 @@ SelfContact::SelfContact(const meshes::HexahedralMesh& mesh, double stiffness_Pa
 }
 
 void SelfContact::moved(double travel_m) {
-  approach_ += 2.0 * travel_m;
-  path_ += 2.0 * travel_m;
-  followed_path_ += 2.0 * travel_m;
+  passed(travel_m);
   if (is_near_) largest_travel_ = std::max(largest_travel_, travel_m);
 }
 
 double SelfContact::free_travel_m() const {
-  if (is_awake()) return 0.0;
-  return 0.5 * std::min(gap_ - path_, reach_m() - approach_);
+  if (must_look() || !touches_.empty()) return 0.0;
+  double free = reach_m() - approach_;
+  if (!is_near_) return 0.5 * std::min(free, gap_ - path_);
+  for (const double until : clear_until_) free = std::min(free, until - followed_path_);
+  return 0.5 * std::max(free, 0.0);
+}
+
+void SelfContact::passed(double travel_m) {
+  approach_ += 2.0 * travel_m;
+  path_ += 2.0 * travel_m;
+  followed_path_ += 2.0 * travel_m;
 }
 
 void SelfContact::forget() { approach_ = std::numeric_limits<double>::infinity(); }

@@ -109,8 +109,11 @@ class SelfContact {
   /// Whether find_touches has anything to do. If not, nothing touches.
   [[nodiscard]] bool is_awake() const { return is_near_ || must_look(); }
 
-  /// Returns how far nodes may move, in the sum of calls of moved(), before find_touches has something to do, m.
+  /// Returns how far nodes may move, in the sum of their steps, before any can touch something, m. 0 where some do.
   [[nodiscard]] double free_travel_m() const;
+  /// In place of moved(), after several steps in which nothing can have touched: their travels added up, less than
+  /// free_travel_m() before the last of them.
+  void passed(double travel_m);
 
   /// Whether find_touches reads the positions of all nodes; otherwise only those of followed_nodes().
   [[nodiscard]] bool reads_all_nodes() const { return must_look(); }

@@ -61,7 +61,7 @@ __device__ void copy_words(const uint4* from, std::size_t count, uint4* to) {
 
 /// Takes the steps of a body with these of its arrays in the memory of the block.
 template <class Law, class Number, BlockMemory kept>
-__device__ void take_steps(const CudaTask<Number>& task, std::byte* block_memory) {
+__device__ __noinline__ void take_steps(const CudaTask<Number>& task, std::byte* block_memory) {
   const BlockPlaces places = places_of(task.body, kept);
   StepsMemory<Number> memory = task.memory;
   memory.values_m = reinterpret_cast<Number*>(block_memory + for_sums);

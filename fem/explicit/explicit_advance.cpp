@@ -19,6 +19,9 @@ constexpr std::size_t least_steps_to_bound = 10;
 /// Steps that are left to another one in one order, at most: contact is looked for after some 200.
 constexpr std::size_t most_left_steps = 256;
 
+/// Steps that it pays to leave to another one: to go there and back takes as long as some of them.
+constexpr std::size_t least_left_steps = 8;
+
 /// Steps after which single precision begins anew at the place of the body: at 1 m/s it has moved on by about an element.
 constexpr std::size_t most_followed_steps = 32;
 
@@ -94,10 +97,12 @@ void ExplicitDynamics::pass_interval(double time_s) {
 std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::size_t count, double end_s) {
   const double start = state_.time_s;
   self_contact_.watch();
+  next_leave_ = 0;
+  if (options_.step_taker) interval_speed_m_per_s_ = largest_speed_m_per_s();
   std::optional<ExplicitReport> objection;
   std::size_t taken = 0;
   while (taken < count && !objection) {
-    if (may_leave_steps()) {
+    if (may_leave_steps(step_s)) {
       const StepsOutcome left = leave_steps(step_s, std::min(count - taken, most_left_steps));
       taken += left.steps;
       elements_follow_ = false;
@@ -123,14 +128,22 @@ std::optional<ExplicitReport> ExplicitDynamics::take_steps(double step_s, std::s
   return objection ? objection : check();
 }
 
-/// Returns whether steps can be taken elsewhere, without contact. Looks for contacts where that is due.
-bool ExplicitDynamics::may_leave_steps() {
-  if (!options_.step_taker || !state_.contact->empty()) return false;
-  if (self_contact_.is_awake() && self_contact_.reads_all_nodes()) {
-    set_current_positions();
+/// Returns whether it pays to let steps be taken elsewhere: enough of them until something can touch. Looks for contacts where
+/// that is due, but not at every step of those that it has found near.
+bool ExplicitDynamics::may_leave_steps(double step_s) {
+  if (!options_.step_taker || !state_.contact->empty() || state_.steps < next_leave_) return false;
+  const double least_travel_m = static_cast<double>(least_left_steps) * step_s * interval_speed_m_per_s_;
+  if (self_contact_.free_travel_m() < least_travel_m) {
+    if (self_contact_.reads_all_nodes()) {
+      set_current_positions();
+    } else {
+      set_followed_positions();
+    }
     find_touches();
   }
-  return !self_contact_.is_awake() && self_contact_.touches().empty();
+  if (self_contact_.free_travel_m() > 0.0 && self_contact_.free_travel_m() >= least_travel_m) return true;
+  next_leave_ = state_.steps + least_left_steps;
+  return false;
 }
 
 /// Lets steps be taken elsewhere, at most `count`, and takes over what they have led to.
@@ -165,7 +178,7 @@ StepsOutcome ExplicitDynamics::leave_steps(double step_s, std::size_t count) {
   const auto last = order.pressures_Pa.begin() + static_cast<std::ptrdiff_t>(plena * outcome.steps);
   state_.pressures_Pa.assign(last, last + static_cast<std::ptrdiff_t>(plena));
   state_.pressed_volumes = outcome.volumes;
-  self_contact_.moved(outcome.travel_m);
+  self_contact_.passed(outcome.travel_m);
   state_.last_step_s = step_s;
   state_.steps += outcome.steps;
   return outcome;

@@ -43,7 +43,7 @@ struct ExplicitOptions {
   std::optional<SelfContactLaw> self_contact = SelfContactLaw{};  ///< empty: walls that touch end the run
   int threads = 1;                                                ///< >= 1; results do not depend on it
   /// Takes steps in place of this processor while nothing can touch; empty: none. Checks and contact stay here. It is of this
-  /// body and of these loads, and the supply has no lines.
+  /// body and of these loads, and the supply has no lines. A state that is set then continues as before up to rounding only.
   std::shared_ptr<StepTaker> step_taker{};
   const std::atomic<bool>* stop = nullptr;  ///< ends a run as `stopped` when it becomes true
 };
@@ -170,7 +170,7 @@ class ExplicitDynamics {
   [[nodiscard]] double longest_step_s() const;
   void pass_interval(double time_s);
   std::optional<ExplicitReport> take_steps(double step_s, std::size_t count, double end_s);
-  [[nodiscard]] bool may_leave_steps();
+  [[nodiscard]] bool may_leave_steps(double step_s);
   [[nodiscard]] StepsOutcome leave_steps(double step_s, std::size_t count);
   std::optional<ExplicitReport> check();
   void accept(double last_stable_step_s);
@@ -212,7 +212,9 @@ class ExplicitDynamics {
   double rest_stable_step_ = 0.0;
   double energy_noise_ = 0.0;  ///< J, negligible in the energy balance
   std::optional<double> relaxation_interval_s_;
-  Point common_velocity_{};  ///< of the centre of mass at the start of an interval
+  Point common_velocity_{};              ///< of the centre of mass at the start of an interval
+  double interval_speed_m_per_s_ = 0.0;  ///< of the fastest node then, relative to it
+  std::size_t next_leave_ = 0;           ///< number of steps before which none are left to another one
   std::vector<double> first_volumes_;
   std::vector<double> pressures_Pa_;  ///< in the plena, at the time of the last forces
   PressedVolumes pressed_volumes_;    ///< at the time of the last forces

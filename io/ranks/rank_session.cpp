@@ -51,6 +51,12 @@ struct RankSession::Mpi {
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
+  /// A message of which the rest may never come, from a rank that hangs or is gone.
+  struct Arriving {
+    RankMessage message;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
   /// Forgets the messages that have left.
   void sweep() {
     std::erase_if(letters, [](Letter& letter) {
@@ -79,11 +85,53 @@ struct RankSession::Mpi {
     }
   }
 
+  /// Begins to receive the next message of any rank. @return whether there is one
+  bool begin_to_receive() {
+    int has_come = 0;
+    MPI_Message message = MPI_MESSAGE_NULL;
+    MPI_Status status{};
+    // Open MPI looks for a message first, and for what has arrived since then: so a second look is needed to find that.
+    for (int look = 0; look < 2 && has_come == 0; ++look) {
+      if (MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &has_come, &message, &status) != MPI_SUCCESS) return false;
+    }
+    if (has_come == 0) return false;
+    int size = 0;
+    MPI_Get_count(&status, MPI_BYTE, &size);
+    Arriving& one = arriving.emplace_back();
+    one.message = {.from = status.MPI_SOURCE, .topic = static_cast<RankTopic>(status.MPI_TAG), .bytes = {}};
+    one.message.bytes.resize(static_cast<std::size_t>(size));
+    if (MPI_Imrecv(one.message.bytes.data(), size, MPI_BYTE, &message, &one.request) != MPI_SUCCESS) arriving.pop_back();
+    return true;
+  }
+
+  /// Returns the first message that is whole, but none before an earlier one of the same rank.
+  std::optional<RankMessage> take_whole() {
+    std::set<int> late;
+    for (auto one = arriving.begin(); one != arriving.end();) {
+      if (late.contains(one->message.from)) {
+        ++one;
+        continue;
+      }
+      int is_whole = 0;
+      const bool is_known = MPI_Test(&one->request, &is_whole, MPI_STATUS_IGNORE) == MPI_SUCCESS;
+      if (is_known && is_whole == 0) {
+        late.insert(one->message.from);
+        ++one;
+        continue;
+      }
+      RankMessage message = std::move(one->message);
+      one = arriving.erase(one);
+      if (is_known) return message;
+    }
+    return std::nullopt;
+  }
+
   std::mutex access{};  ///< to MPI, and to what follows
   std::condition_variable_any wakes{};
-  std::list<Letter> letters{};  ///< whose bytes must stay where they are
-  std::set<int> silent{};       ///< ranks that were given up, or have ended
-  std::jthread signs{};         ///< last, so that it ends first
+  std::list<Letter> letters{};     ///< whose bytes must stay where they are
+  std::list<Arriving> arriving{};  ///< whose bytes must, too; those of a rank in its order
+  std::set<int> silent{};          ///< ranks that were given up, or have ended
+  std::jthread signs{};            ///< last, so that it ends first
 };
 
 RankSession::RankSession() {
@@ -136,24 +184,11 @@ std::optional<RankMessage> RankSession::receive() {
   if (!mpi_) return std::nullopt;
   const std::lock_guard guard(mpi_->access);
   mpi_->sweep();
-  int has_come = 0;
-  MPI_Message message = MPI_MESSAGE_NULL;
-  MPI_Status status{};
-  // Open MPI looks for a message first, and for what has arrived since then: so a second look is needed to find that.
-  for (int look = 0; look < 2 && has_come == 0; ++look) {
-    if (MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &has_come, &message, &status) != MPI_SUCCESS)
-      return std::nullopt;
-  }
-  if (has_come == 0) return std::nullopt;
-  int size = 0;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  RankMessage received{.from = status.MPI_SOURCE, .topic = static_cast<RankTopic>(status.MPI_TAG), .bytes = {}};
-  received.bytes.resize(static_cast<std::size_t>(size));
-  // The rest of a long message may never come from a rank that is gone; it is small enough for that to be rare.
-  if (MPI_Mrecv(received.bytes.data(), size, MPI_BYTE, &message, &status) != MPI_SUCCESS) return std::nullopt;
-  if (received.topic == RankTopic::ended) {
-    ended_[received.from] = received.bytes;
-    mpi_->silent.insert(received.from);
+  std::optional<RankMessage> received = mpi_->take_whole();
+  while (!received && mpi_->begin_to_receive()) received = mpi_->take_whole();
+  if (received && received->topic == RankTopic::ended) {
+    ended_[received->from] = received->bytes;
+    mpi_->silent.insert(received->from);
   }
   return received;
 }

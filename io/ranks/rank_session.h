@@ -59,7 +59,7 @@ class RankSession {
   /// Sends bytes to a rank. They leave later, in receive() or end(). @throws std::length_error as message_size
   void send(int to, RankTopic topic, std::string bytes = {});
 
-  /// Returns the next message that has come, if any.
+  /// Returns the next message that has come as a whole, if any. Those of a rank come in the order in which it sent them.
   [[nodiscard]] std::optional<RankMessage> receive();
 
   /// Returns why a rank ended before the end of all, as far as a message has told the first rank so: the message of its error,

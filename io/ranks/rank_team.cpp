@@ -84,10 +84,15 @@ struct RankTeam::Run {
     }
   }
 
-  /// Puts tasks that a rank does not do first in the list again.
-  void give_again(const std::set<std::uint64_t>& ids) {
-    for (const std::uint64_t id : ids)
-      if (id >= first_id) waiting.push_front(id - first_id);
+  /// Puts a task first in the list again, once.
+  void give_again(std::uint64_t id) {
+    const std::size_t task = id - first_id;
+    if (std::ranges::find(waiting, task) == waiting.end()) waiting.push_front(task);
+  }
+
+  /// Takes the tasks of a rank that does them after all from the list.
+  void keep(const std::set<std::uint64_t>& ids) {
+    std::erase_if(waiting, [&](std::size_t task) { return ids.contains(first_id + task); });
   }
 
   [[nodiscard]] bool is_over() const { return is_ended || done == tasks.size(); }
@@ -117,7 +122,8 @@ RankTeam::RankTeam(RankSession& session, RankWork work, std::vector<RankFacts> f
 
 int RankTeam::threads() const {
   int sum = 0;
-  for (const Member& member : members_) sum += member.facts.threads;
+  for (const Member& member : members_)
+    if (member.is_present()) sum += member.facts.threads;
   return sum;
 }
 
@@ -138,6 +144,7 @@ void RankTeam::note(int rank, const std::string& what) const {
 }
 
 RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>* stop, const Finished& finished) {
+  members_.front().tasks.clear();  // of a run that threw
   Run run{.first_id = next_id_, .tasks = {}, .is_done = {}, .done = 0, .is_ended = false, .waiting = {}, .finished = &finished};
   run.add(std::move(tasks));
   for (Member& member : members_) member.heard = Clock::now();
@@ -165,7 +172,6 @@ RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>*
     }
   }
   members_.front().tasks.clear();
-  next_id_ = run.first_id + run.tasks.size();
   return run.is_over() ? RunStatus::completed : RunStatus::stopped;
 }
 
@@ -176,10 +182,11 @@ void RankTeam::hand_out(Run& run, TaskThreads& threads) {
     was_given = false;
     for (std::size_t rank = 0; rank < members_.size(); ++rank) {
       Member& member = members_[rank];
-      if (member.is_lost || member.has_left || static_cast<int>(member.tasks.size()) >= member.facts.threads) continue;
+      if (!member.is_present() || static_cast<int>(member.tasks.size()) >= member.facts.threads) continue;
       const std::optional<std::size_t> task = run.next(member.tasks);
       if (!task) continue;
       const std::uint64_t id = run.first_id + *task;
+      next_id_ = std::max(next_id_, id + 1);
       member.tasks.insert(id);
       if (rank == 0)
         threads.begin(id, run.tasks[*task]);
@@ -213,6 +220,7 @@ bool RankTeam::receive(Run& run) {
     member.heard = Clock::now();
     if (member.is_lost) {
       member.is_lost = false;
+      run.keep(member.tasks);
       session_.take_back(message->from);
       note(message->from, "answers again");
     }
@@ -233,10 +241,19 @@ bool RankTeam::receive(Run& run) {
   return was_one;
 }
 
+/// Gives the tasks of a rank that does not do them back to the list, except those that another one does.
+void RankTeam::give_again(Run& run, const Member& member) {
+  for (auto id = member.tasks.rbegin(); id != member.tasks.rend(); ++id) {  // so that the first one comes first again
+    const bool is_elsewhere = std::ranges::any_of(
+        members_, [&](const Member& other) { return &other != &member && other.is_present() && other.tasks.contains(*id); });
+    if (run.is_open(*id) && !is_elsewhere) run.give_again(*id);
+  }
+}
+
 /// Goes on without a rank that does no more tasks. It may say so several times. @param what happened, as a part of a sentence
 void RankTeam::leave(Run& run, int rank, const std::string& what) {
   Member& member = members_.at(static_cast<std::size_t>(rank));
-  run.give_again(member.tasks);
+  give_again(run, member);
   member.tasks.clear();
   if (!member.has_left) note(rank, what + ": the others go on without it");
   member.has_left = true;
@@ -247,11 +264,11 @@ void RankTeam::look_for_lost_ranks(Run& run) {
   const Clock::time_point now = Clock::now();
   for (std::size_t rank = 1; rank < members_.size(); ++rank) {
     Member& member = members_[rank];
-    if (member.is_lost || member.has_left) continue;
+    if (!member.is_present()) continue;
     if (std::chrono::duration<double>(now - member.heard).count() <= options_.patience_s) continue;
     member.is_lost = true;
     session_.give_up(static_cast<int>(rank));
-    run.give_again(member.tasks);
+    give_again(run, member);
     note(static_cast<int>(rank), "has been silent for " + number_text(options_.patience_s) + " s: the others go on without it");
   }
 }

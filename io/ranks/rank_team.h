@@ -30,9 +30,10 @@ struct TeamOptions {
 /// them with its own threads.
 ///
 /// A rank has as many tasks at a time as threads, and gets the next one of the list when it returns a result. Of a rank that
-/// gives no sign of life for longer than the patience, the tasks are given to others; if it answers again, so does it get tasks.
-/// So a task may be done by two ranks at once: the work bears that. The first result counts, and what is thrown after it does
-/// not. Nothing but time is lost with a rank that hangs, or that is gone where MPI lets the others live.
+/// gives no sign of life for longer than the patience, the tasks are given to others; if it answers again, it keeps those that no
+/// other rank has begun, and gets further ones. So a task may be done by two ranks at once: the work bears that. The first result
+/// counts, and what is thrown after it does not. Nothing but time is lost with a rank that hangs, or that is gone where MPI lets
+/// the others live.
 class RankTeam {
  public:
   /// @param session of the first rank; outlives the team
@@ -50,7 +51,7 @@ class RankTeam {
   /// @return completed, also if `finished` ended it, or stopped if `stop` was set before all were done
   [[nodiscard]] RunStatus run(std::vector<std::string> tasks, const std::atomic<bool>* stop, const Finished& finished);
 
-  /// Returns how many tasks are done at the same time if no rank is lost.
+  /// Returns how many tasks are done at the same time, by ranks that have neither left nor are lost.
   [[nodiscard]] int threads() const;
 
   /// Says for people how many tasks the ranks have done so far, from the least to the most.
@@ -66,12 +67,15 @@ class RankTeam {
     std::size_t done = 0;             ///< tasks whose results it was the first to have
     bool is_lost = false;
     bool has_left = false;
+
+    [[nodiscard]] bool is_present() const { return !is_lost && !has_left; }
   };
   struct Run;
 
   void hand_out(Run& run, TaskThreads& threads);
   bool receive(Run& run);
   void take(Run& run, int rank, std::uint64_t id, const std::string& result);
+  void give_again(Run& run, const Member& member);
   void leave(Run& run, int rank, const std::string& what);
   void look_for_lost_ranks(Run& run);
   void note(int rank, const std::string& what) const;
@@ -81,7 +85,7 @@ class RankTeam {
   RankWork work_;
   TeamOptions options_;
   std::vector<Member> members_;
-  std::uint64_t next_id_ = 0;
+  std::uint64_t next_id_ = 0;  ///< larger than that of any task that was given to a rank
 };
 
 /// Does tasks of the first rank until there are no more. To be called by all other ranks after answer_roll. One that is told to

@@ -8,9 +8,9 @@ same on every machine. Compares
 - all: `pruning = false`, one batch for a generation, with the evaluations that lazy selection left out; a body of n cells has n^level
   voxels,
 - all, in a population P times as large, whose generations have P times as many new designs,
-- steady state: whenever a rank is free and no task waits, the next design is born. No generation ends, so none waits.
+- steady state: whenever a rank is free, the next design is born. Its levels follow one another. No generation ends, so none waits.
 
-Tasks go to the first free rank, the costliest of a batch first; a task is one rank's. Printed are the share of time in which ranks work,
+Tasks of a batch go to the first free rank, the costliest first; a task is one rank's. Printed are the share of time in which ranks work,
 and the hours that as many designs take as a trial has.
 """
 
@@ -58,22 +58,17 @@ def designs(generation, steps, speed):
 
 
 def steadily(stream, count, ranks):
-    """Returns the time in which so many designs are done, and the time for which ranks work. The stream is begun again at its end."""
+    """Returns the time in which so many designs are done, and the time for which ranks work. The stream is begun again at its end.
+
+    A level of a design begins when the one before is known, and the rank that did that is free then: so a design is one rank's.
+    """
     free = [0.0] * ranks
-    waiting = []
     busy = 0.0
-    born = 0
-    end = 0.0
-    while waiting or born < count:
-        if not waiting:
-            waiting = sorted(stream[born % len(stream)])
-            born += 1
-        one = waiting.pop()
-        done = free[0] + one
-        heapq.heapreplace(free, done)
+    for n in range(count):
+        one = sum(stream[n % len(stream)])
+        heapq.heapreplace(free, free[0] + one)
         busy += one
-        end = max(end, done)
-    return end, busy
+    return max(free), busy
 
 
 def table(path, ranks, stretch, speed, populations):

@@ -93,15 +93,21 @@ TEST_F(EvolveOnRanks, SearchInASteadyStateThatCanBeReplayedWithout) {
   std::string study = small_study;
   study.insert(study.find("survivors"), "selection = \"steady_state\"\n");
   io::write_whole(folder_ / "study.toml", study);
-  const ProgramRun killed = start(3, {"-o", "run.sqlite"});
+  const ProgramRun killed = start(3, {"-o", "run.sqlite", "-g", "8"});
   ASSERT_TRUE(wait_until([&] { return killed.printed().find("\n   1 ") != std::string::npos || killed.name().empty(); }));
   kill(test_support::ranks_of(killed).at(0), SIGKILL);
   EXPECT_NE(killed.wait().code, 0);
-  const Outcome resumed = start(2, {"-o", "run.sqlite"}).wait();
+  const ProgramRun told = start(2, {"-o", "run.sqlite", "-g", "8"});
+  ASSERT_TRUE(wait_until([&] { return told.printed().find("\n   2 ") != std::string::npos || told.name().empty(); }));
+  kill(test_support::ranks_of(told).at(0), SIGTERM);
+  const Outcome stopped = told.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_NE(stopped.out.find("Stopped. Robots that ended are kept."), std::string::npos) << stopped.out;
+  const Outcome resumed = start(2, {"-o", "run.sqlite", "-g", "8"}).wait();
   ASSERT_EQ(resumed.code, 0) << resumed.err;
   EXPECT_EQ(resumed.out.find("note: each process did from 0 "), std::string::npos) << resumed.out;
   const Outcome replayed =
-      ProgramRun(folder_, program, {"study.toml", "-o", "again.sqlite", "-t", "2", "--replay", "run.sqlite"}).wait();
+      ProgramRun(folder_, program, {"study.toml", "-o", "again.sqlite", "-t", "2", "-g", "8", "--replay", "run.sqlite"}).wait();
   ASSERT_EQ(replayed.code, 0) << replayed.err;
   EXPECT_EQ(archive_content(folder_ / "again.sqlite"), archive_content(folder_ / "run.sqlite"));
 }

@@ -125,6 +125,7 @@ TEST_F(Export, OfASteadyStateSearchIsThatOfItsReplay) {
   EXPECT_EQ(generations.number(3, "evaluations") + generations.number(3, "cached"), 2.0 * 5.0) << "two levels of five robots";
   const Outcome timings = export_run("run.sqlite", "timings", {"--levels", "1", "--timings"});
   ASSERT_EQ(timings.code, 0) << timings.err;
+  EXPECT_NE(timings.out.find("schedule.csv estimates times of generations that do"), std::string::npos) << timings.out;
 }
 
 TEST_F(Export, RefusesToReplayWhatHasNoOrderOrAnother) {

@@ -5,6 +5,7 @@ paper_test.py SOURCES: the folder of the sources.
 
 import os
 import pathlib
+import runpy
 import shutil
 import signal
 import subprocess
@@ -231,6 +232,34 @@ class Tree(unittest.TestCase):
                                  capture_output=True, text=True, check=True).stdout
         self.assertIn("| 4,096 |", printed)
         self.assertIn(printed, (folder / "trial.md").read_text())
+
+    def test_the_table_of_selections_is_what_its_script_prints(self):
+        folder = SOURCES / "paper/fractal"
+        printed = subprocess.run([sys.executable, "-B", str(folder / "selection.py"), "table", str(folder / "selection.csv")],
+                                 capture_output=True, text=True, check=True).stdout
+        self.assertIn("| two levels |", printed)
+        self.assertIn(printed, (folder / "trial.md").read_text())
+
+    def test_robots_under_way_count_in_the_table_of_selections(self):
+        selection = runpy.run_path(str(SOURCES / "paper/fractal/selection.py"))
+        with tempfile.TemporaryDirectory() as name:
+            for arm in ("generations", "steady_8"):
+                folder = pathlib.Path(name) / f"one_level.{arm}.1"
+                folder.mkdir()
+                (folder / "costs.csv").write_text("generation,voxel_steps\n0,10\n1,20\n2,40\n3,80\n")
+                (folder / "generations.csv").write_text("generation,best_fitness_body_lengths\n0,\n1,3\n2,2\n3,4\n")
+            selection["take"](name, pathlib.Path(name) / "selection.csv")
+            runs = selection["read"](pathlib.Path(name) / "selection.csv")["one_level"]
+        self.assertEqual(runs["generations"][1], [(10, 0.0), (30, 3.0), (70, 3.0)])
+        self.assertEqual(runs["steady_8"][1], [(20, 0.0), (50, 3.0), (110, 3.0)])
+        self.assertEqual(selection["fitness_at"](runs["steady_8"][1], 49), 0.0)
+        low, high = selection["interval"]([1.0, 2.0, 3.0], [11.0, 12.0, 13.0])
+        self.assertTrue(8.0 <= low < 10.0 < high <= 12.0)
+
+    def test_levels_of_a_design_follow_one_another_in_the_steady_state(self):
+        scale = runpy.run_path(str(SOURCES / "paper/fractal/scale.py"))
+        self.assertEqual(scale["steadily"]([[1.0, 3.0]], 1, 2), (4.0, 4.0))
+        self.assertEqual(scale["steadily"]([[1.0, 3.0], [2.0]], 3, 2), (6.0, 10.0))
 
     def test_run_lists_them_and_refuses_others(self):
         listed = subprocess.run([str(SOURCES / "run"), "paper"], capture_output=True, text=True, check=False)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <map>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -139,8 +140,20 @@ TEST_F(Ranks, GoOnWithoutOneThatThrowsAndSayWhatItThrew) {
   const Outcome outcome = start({{}, {"--fault", "no bread"}}, {"say a", "say b", "say c"}).wait();
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find(" has ended (no bread): the others go on without it"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", on 1 threads"), std::string::npos) << "which it has no longer: " << outcome.out;
   EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
   expect_no_abort(outcome);
+}
+
+TEST_F(Ranks, GoOnWithoutOneThatHangsInTheMiddleOfAMessage) {
+  setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);  // as a network, where the sender has its part in it
+  const ProgramRun run = start({{"--patience", "0.5"}, {"--halting"}, {}}, {"wait gate", "say b", "say c", "say d"});
+  unsetenv("OMPI_MCA_btl_vader_single_copy_mechanism");
+  ASSERT_TRUE(prints(run, "has been silent for 0.5 s: the others go on without it"));
+  make("gate");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
 }
 
 TEST_F(Ranks, EndWithWhatATaskThrows) {
@@ -151,6 +164,17 @@ TEST_F(Ranks, EndWithWhatATaskThrows) {
   EXPECT_NE(outcome.err.find("error: rank 1 on "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(": it hurts"), std::string::npos) << outcome.err;
   expect_no_abort(outcome);
+}
+
+TEST_F(Ranks, TakeNoResultOfARunThatThrewForOneOfTheNext) {
+  const ProgramRun run = start({{"--then", "wait gate", "--then", "say b"}, {}}, {"say a", "wait slow"});
+  ASSERT_TRUE(prints(run, "thrown: 0 a") && comes("slow.begun") && comes("gate.begun"));
+  make("slow");
+  EXPECT_TRUE(prints(run, "1: 1 b")) << run.printed();
+  make("gate");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
 }
 
 TEST_F(Ranks, DropAFaultOfATaskThatAnotherHasDone) {
@@ -171,6 +195,89 @@ TEST_F(Ranks, DropAFaultOfATaskThatAnotherHasDone) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("answers again"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
+}
+
+/// Ranks of which one is lost while it has a task: all others wait for files, too.
+class RanksWithALostOne : public Ranks {
+ protected:
+  /// Starts ranks that wait for gate_0, task, gate_2 ..., and halts the second one until it is lost.
+  [[nodiscard]] ProgramRun start_and_lose(std::initializer_list<Words> ranks, const Words& tasks) {
+    ProgramRun run = start(ranks, tasks);
+    EXPECT_TRUE(comes("gate_0.begun") && comes("task.begun"));
+    rank_ = test_support::ranks_of(run).at(1);
+    lose(run, 1);
+    return run;
+  }
+
+  /// Halts the rank until it has been lost so many times.
+  void lose(const ProgramRun& run, int times) const {
+    kill(rank_, SIGSTOP);
+    EXPECT_TRUE(wait_until([&] { return count(run, "has been silent") == times; })) << run.printed();
+  }
+
+  void let_answer(const ProgramRun& run, int times) const {
+    kill(rank_, SIGCONT);
+    EXPECT_TRUE(wait_until([&] { return count(run, "answers again") == times; })) << run.printed();
+  }
+
+ private:
+  /// Counts what is said of the second rank. On a busy machine others may be lost for a while, too.
+  [[nodiscard]] static int count(const ProgramRun& run, const std::string& text) {
+    std::istringstream printed(run.printed());
+    int times = 0;
+    for (std::string line; std::getline(printed, line);)
+      if (line.starts_with("rank 1 on ") && line.find(text) != std::string::npos) ++times;
+    return times;
+  }
+
+  pid_t rank_ = 0;
+};
+
+TEST_F(RanksWithALostOne, LeaveItTheTaskThatNoOtherHasBegunIfItAnswers) {
+  const Words patience{"--patience", "1"};
+  const ProgramRun run = start_and_lose({patience, patience}, {"wait gate_0", "wait task", "say last"});
+  let_answer(run, 1);
+  make("gate_0");
+  EXPECT_TRUE(prints(run, "2: 0 last")) << "the first rank takes the next task: " << run.printed();
+  make("task");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1: 1 task"), std::string::npos) << outcome.out;
+}
+
+TEST_F(RanksWithALostOne, GiveItsTaskToOneOtherIfItIsLostTwice) {
+  const Words patience{"--patience", "1"};
+  const ProgramRun run =
+      start_and_lose({patience, patience, patience}, {"wait gate_0", "wait task", "wait gate_2", "wait more", "say last"});
+  fs::remove(folder_ / "task.begun");
+  make("gate_0");
+  ASSERT_TRUE(comes("task.begun")) << "the first rank begins it";
+  let_answer(run, 1);
+  lose(run, 2);
+  make("gate_2");
+  ASSERT_TRUE(comes("more.begun"));
+  make("more");
+  EXPECT_TRUE(prints(run, "4: 2 last")) << "the third rank does not begin the same task: " << run.printed();
+  let_answer(run, 2);
+  make("task");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("completed"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Ranks, GiveWhatOneHasBegunToOthersIfItIsToldToStop) {
+  const ProgramRun run = start({{}, {}}, {"wait first", "wait second"});
+  ASSERT_TRUE(comes("first.begun") && comes("second.begun"));
+  kill(test_support::ranks_of(run).at(1), SIGTERM);
+  ASSERT_TRUE(prints(run, "was told to stop: the others go on without it"));
+  let_others_work();
+  make("first");
+  make("second");
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1: 0 second"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("1: 1 second"), std::string::npos) << "a part of a result counts as one: " << outcome.out;
+  expect_no_abort(outcome);
 }
 
 TEST_F(Ranks, KeepWhatHasArrivedWhenTheyStop) {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -40,7 +41,9 @@ struct Arguments {
   bool twice = false;         ///< it answers twice
   bool told_to_stop = false;  ///< it is told to stop as soon as it has answered
   bool by_hand = false;       ///< its result comes when the first rank has its own and waits: see take
+  bool halting = false;       ///< it halts before all of its result has left
   std::vector<std::string> tasks;
+  std::vector<std::string> then;  ///< tasks that the first rank gives in a second run; the first result of the first one throws
 };
 
 void wait_for(const fs::path& file, const std::atomic<bool>* stop = nullptr) {
@@ -78,8 +81,17 @@ int first_rank(const Arguments& arguments, RankSession& session) {
     }
     return std::vector<std::string>();
   };
-  const menger::io::RunStatus status = team.run(arguments.tasks, &stop, take);
-  std::cout << to_string(status) << ": " << team.shares() << std::endl;
+  if (!arguments.then.empty()) {
+    try {
+      (void)team.run(arguments.tasks, &stop, [](std::size_t, const std::string& result) -> std::vector<std::string> {
+        throw std::runtime_error(result);
+      });
+    } catch (const std::runtime_error& error) {
+      std::cout << "thrown: " << error.what() << std::endl;
+    }
+  }
+  const menger::io::RunStatus status = team.run(arguments.then.empty() ? arguments.tasks : arguments.then, &stop, take);
+  std::cout << to_string(status) << ": " << team.shares() << ", on " << team.threads() << " threads" << std::endl;
   return exit_code::done;
 }
 
@@ -96,6 +108,18 @@ void serve_by_hand(RankSession& session) {
   }
 }
 
+/// Begins to send a result that is too long to leave at once, and halts.
+void serve_halting(RankSession& session) {
+  constexpr std::size_t long_bytes = std::size_t{1} << 25U;
+  while (true) {
+    const std::optional<RankMessage> message = session.receive();
+    if (message && message->topic == RankTopic::end) return;
+    if (!message || message->topic != RankTopic::task) continue;
+    session.send(0, RankTopic::result, message->bytes.substr(0, sizeof(std::uint64_t)) + std::string(long_bytes, 'x'));
+    raise(SIGSTOP);
+  }
+}
+
 int other_rank(const Arguments& arguments, RankSession& session) {
   if (!arguments.early_fault.empty()) throw InputError(arguments.early_fault);
   if (!arguments.late.empty()) wait_for(arguments.late);
@@ -108,6 +132,8 @@ int other_rank(const Arguments& arguments, RankSession& session) {
   if (!arguments.fault.empty()) throw InputError(arguments.fault);
   if (arguments.by_hand)
     serve_by_hand(session);
+  else if (arguments.halting)
+    serve_halting(session);
   else
     serve_first_rank(session, work_of(session.rank()), {.threads = 1, .patience_s = arguments.patience_s});
   return exit_code::done;
@@ -125,7 +151,9 @@ int main(int argc, char** argv) {
     app.add_option("--early-fault", arguments.early_fault);
     app.add_option("--fault", arguments.fault);
     app.add_option("--late", arguments.late);
+    app.add_option("--then", arguments.then)->allow_extra_args(false);
     app.add_flag("--twice", arguments.twice);
+    app.add_flag("--halting", arguments.halting);
     app.add_flag("--told-to-stop", arguments.told_to_stop);
     app.add_flag("--by-hand", arguments.by_hand);
     app.add_option("task", arguments.tasks);

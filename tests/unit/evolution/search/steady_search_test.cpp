@@ -213,6 +213,29 @@ TEST_F(SteadySearches, OfManyThreadsGoOnAfterStopsAndCanBeReplayed) {
   }
 }
 
+TEST_F(SteadySearches, GoOnWithWhatTheyHaveIfItIsMoreThanTheReplayedOrder) {
+  const SearchPlan plan = steady_plan();
+  const auto stopped_after = [&](const std::string& name, std::size_t last, SearchOptions options) {
+    std::atomic<bool> stop{false};
+    options.stop = &stop;
+    options.after_commit = [&](std::size_t count) { stop = count >= last; };
+    EXPECT_EQ(steadily(name, plan, 4, options), io::RunStatus::stopped);
+  };
+  stopped_after("part", 10, {});
+  SearchOptions replaying;
+  replaying.replayed = events("part");
+  stopped_after("again", 30, replaying);
+  const std::vector<SearchEvent> before = events("again");
+  ASSERT_GT(before.size(), replaying.replayed.size());
+  ASSERT_EQ(steadily("again", plan, 4, replaying), io::RunStatus::completed);
+  const std::vector<SearchEvent> after = events("again");
+  EXPECT_EQ(std::vector<SearchEvent>(after.begin(), after.begin() + static_cast<std::ptrdiff_t>(before.size())), before);
+  SearchOptions whole;
+  whole.replayed = after;
+  ASSERT_EQ(steadily("third", plan, 2, whole), io::RunStatus::completed);
+  EXPECT_EQ(archive_content(file("third")), archive_content(file("again")));
+}
+
 TEST_F(SteadySearches, GoOnWithMoreGenerations) {
   SearchPlan plan = steady_plan();
   plan.generations = 2;
@@ -224,6 +247,18 @@ TEST_F(SteadySearches, GoOnWithMoreGenerations) {
   replaying.replayed = events("run");
   ASSERT_EQ(steadily("again", plan, 2, replaying), io::RunStatus::completed);
   EXPECT_EQ(archive_content(file("again")), archive_content(file("run")));
+}
+
+TEST_F(SteadySearches, TellTheProgressOfGenerationsThatAreNotFinished) {
+  SearchPlan plan = steady_plan();
+  plan.generations = 2;
+  ASSERT_EQ(steadily("run", plan, 2), io::RunStatus::completed);
+  plan.generations = 4;
+  std::set<int> told;
+  SearchOptions options;
+  options.progress = [&](const SearchProgress& progress) { told.insert(progress.generation); };
+  ASSERT_EQ(steadily("run", plan, 2, options), io::RunStatus::completed);
+  EXPECT_EQ(told, (std::set<int>{3, 4})) << "not of those that are made again";
 }
 
 TEST_F(SteadySearches, EndWhereTheyAreToldToAndGoOnFromThere) {

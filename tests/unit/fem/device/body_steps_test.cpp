@@ -119,7 +119,7 @@ TEST_P(BodyStepsOf, AreThoseOfTheProcessor) {
     EXPECT_GT(a.turnover_J(), 0.0);
   }
   EXPECT_NE(expected.energies().work.friction_J, 0.0);
-  EXPECT_EQ(left, dynamics.state().steps) << "nothing can touch here";
+  EXPECT_GT(left, dynamics.state().steps * 8 / 10) << "nothing touches here";
 }
 
 // A graphics processor gives what a block of one thread gives, up to rounding, and the same bytes again.
@@ -151,6 +151,72 @@ TEST_P(BodyStepsOf, AreAlikeOnAGraphicsProcessor) {
     EXPECT_NEAR(a.work.viscous_J, b.work.viscous_J, tolerance * a.turnover_J());
     EXPECT_NEAR(a.imbalance_J(), b.imbalance_J(), tolerance * a.turnover_J());
   }
+}
+
+/// A body with two legs that are thrown at each other, moved by this processor and with the help of a block.
+struct ThrownLegs {
+  meshes::HexahedralMesh mesh;
+  ExplicitBodyOptions options;
+  ExplicitBody body;
+  std::size_t left = 0;
+  std::unique_ptr<ExplicitDynamics> expected;
+  std::unique_ptr<ExplicitDynamics> dynamics;
+
+  static meshes::HexahedralMesh legs() {
+    meshes::HollowBodyOptions hollow;
+    hollow.wall_thickness_m = 2e-3;
+    set_elements({.fidelity = Fidelity::draft}, hollow);
+    return meshes::hollow_polycube({"legs", meshes::Polycube::from_digits(3, 1, 2, "101111"), 10e-3}, hollow).mesh;
+  }
+
+  ThrownLegs(double speed_m_per_s, double pressure_Pa)
+      : mesh(legs()), options(body_options(mesh, {.name = "soft", .law = materials::NeoHookean{20e3}})), body(mesh, options) {
+    ExplicitOptions settings;
+    settings.schedules = {{ConstantPressure{pressure_Pa}, 0.02}};
+    settings.loads.mass_damping_per_s = 60.0;
+    expected = std::make_unique<ExplicitDynamics>(mesh, body, settings);
+    settings.step_taker = std::make_shared<Counted>(lone_step_taker(mesh, body, options, settings.loads), left);
+    dynamics = std::make_unique<ExplicitDynamics>(mesh, body, settings);
+    ExplicitState thrown = expected->state();
+    for (std::size_t node = 0; node < mesh.points.size(); ++node)
+      if (mesh.points[node][2] < 5e-3)
+        thrown.velocities_m_per_s[3 * node] = mesh.points[node][0] < 15e-3 ? speed_m_per_s : -speed_m_per_s;
+    thrown.at_start_J.reset();
+    thrown.stable_step_s = 0.0;
+    expected->set_state(thrown);
+    dynamics->set_state(thrown);
+  }
+};
+
+// Where legs come near each other without touching, the processor takes steps in between.
+TEST(BodySteps, AreSharedWithTheProcessorNearContact) {
+  ThrownLegs legs(1.1, 7e3);
+  for (int n = 1; n <= 20; ++n) {
+    ASSERT_EQ(legs.expected->advance_to(8e-3 * n).status, io::RunStatus::completed);
+    ASSERT_EQ(legs.dynamics->advance_to(8e-3 * n).status, io::RunStatus::completed);
+    ASSERT_EQ(legs.dynamics->state().steps, legs.expected->state().steps);
+    EXPECT_LT(difference_of(legs.expected->state().displacements_m, legs.dynamics->state().displacements_m), 1e-8);
+  }
+  EXPECT_GT(legs.left, 0U);
+  EXPECT_LT(legs.left, legs.dynamics->state().steps);
+}
+
+// Legs that touch do so in both, and come to rest in the same place: 1e-3 of the largest displacement apart, as they still swing.
+// Steps near contact are not the same ones: this processor halves those in which near parts move far.
+TEST(BodySteps, LeaveContactToTheProcessor) {
+  ThrownLegs legs(1.5, 5e3);
+  std::size_t expected_touches = 0;
+  std::size_t touches = 0;
+  for (int n = 1; n <= 100; ++n) {
+    ASSERT_EQ(legs.expected->advance_to(2e-3 * n).status, io::RunStatus::completed);
+    ASSERT_EQ(legs.dynamics->advance_to(2e-3 * n).status, io::RunStatus::completed);
+    expected_touches += legs.expected->self_touches().size();
+    touches += legs.dynamics->self_touches().size();
+  }
+  EXPECT_GT(expected_touches, 0U);
+  EXPECT_GT(touches, 0U);
+  EXPECT_GT(legs.left, 0U);
+  EXPECT_LT(difference_of(legs.expected->state().displacements_m, legs.dynamics->state().displacements_m), 1e-3);
 }
 
 // An element that is turned inside out ends a run as it does on the processor.

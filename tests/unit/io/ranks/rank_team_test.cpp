@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "io/text/input_error.h"
+#include "tests/support/wait_until.h"
 
 namespace menger::io {
 namespace {
@@ -76,6 +80,29 @@ TEST_F(TeamOfOne, EndsWithWhatATaskOrItsReceiverThrows) {
   EXPECT_THROW((void)team().run({"a", "b"}, nullptr, full), std::runtime_error);
 }
 
+TEST_F(TeamOfOne, HasAllItsThreadsAfterRunsThatThrew) {
+  RankTeam one = team([](const std::string& task, const std::atomic<bool>& stop, const std::function<int()>&) {
+    while (task == "slow" && !stop) std::this_thread::yield();
+    return task + task;
+  });
+  std::atomic<bool> is_over{false};
+  std::atomic<bool> stop{false};
+  const std::jthread ends_a_test_that_fails([&] {
+    (void)test_support::wait_until([&] { return is_over.load(); });
+    stop = true;
+  });
+  const auto full = [](std::size_t, const std::string&) -> std::vector<std::string> { throw std::runtime_error("disk full"); };
+  for (int times = 0; times < 2; ++times) EXPECT_THROW((void)one.run({"slow", "a"}, &stop, full), std::runtime_error);
+  std::map<std::size_t, std::string> results;
+  const RunStatus status = one.run({"b", "c"}, &stop, [&](std::size_t task, const std::string& result) {
+    results[task] = result;
+    return std::vector<std::string>();
+  });
+  is_over = true;
+  EXPECT_EQ(status, RunStatus::completed);
+  EXPECT_EQ(results, (std::map<std::size_t, std::string>{{0, "bb"}, {1, "cc"}}));
+}
+
 TEST_F(TeamOfOne, MayBeEndedByWhatReceivesResults) {
   RankTeam one = team();
   int handed_over = 0;
@@ -105,6 +132,22 @@ TEST(RankMessages, HaveASizeThatMpiCanSend) {
   EXPECT_EQ(message_size(std::size_t{0x7fffffff}), 0x7fffffff);
   EXPECT_THROW((void)message_size(std::size_t{0x80000000}), std::length_error);
   EXPECT_THROW((void)message_size(std::size_t{0x100000001}), std::length_error) << "not one byte";
+}
+
+TEST_F(TeamOfOne, StopsAndHandsOverWhatEndsWhenItIsToldTo) {
+  std::atomic<bool> stop{false};
+  const RankWork slow = [&](const std::string& task, const std::atomic<bool>& told, const std::function<int()>&) {
+    while (task != "a" && !told) std::this_thread::yield();
+    return task + task;
+  };
+  std::map<std::size_t, std::string> results;
+  const RunStatus status = team(slow).run({"a", "b", "c", "d"}, &stop, [&](std::size_t task, const std::string& result) {
+    results[task] = result;
+    if (task == 0) stop = true;
+    return std::vector<std::string>();
+  });
+  EXPECT_EQ(status, RunStatus::stopped);
+  EXPECT_EQ(results, (std::map<std::size_t, std::string>{{0, "aa"}, {1, "bb"}})) << "and no task begins";
 }
 
 TEST_F(TeamOfOne, StopsAndHandsOverWhatWasDone) {
