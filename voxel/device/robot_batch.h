@@ -23,8 +23,8 @@ template <class Real>
 class RobotBatch {
  public:
   /// @param robots that run_on_device; they must outlive the batch
-  /// @param feet of each, null where it has none
-  RobotBatch(std::vector<MovingBody<Real>*> robots, std::vector<FootContact<Real>*> feet);
+  /// @param contacts the feet of each, null where it has none
+  RobotBatch(std::vector<MovingBody<Real>*> robots, std::vector<FootContact<Real>*> contacts);
 
   [[nodiscard]] const std::vector<MovingBody<Real>*>& robots() const { return robots_; }
 
