@@ -257,16 +257,20 @@ void require_memory(const Study& study, int threads, int processes) {
                        " may need more memory than this machine has");
 }
 
-void require_device(const Study& study) {
+void require_device(const Study& study, const Arguments& arguments) {
   if (study.device == io::Device::cpu) return;
-  if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty())
-    throw io::InputError("--device " + std::string(to_string(study.device)) + ": " + obstacle);
+  const std::string obstacle = io::obstacle_to_device();
+  if (obstacle.empty()) return;
+  const std::string device(to_string(study.device));
+  const std::string asked =
+      arguments.overrides.device ? "--device " + device : arguments.study.string() + ": evaluation.device = \"" + device + "\"";
+  throw io::InputError(asked + ": " + obstacle);
 }
 
 /// A search and what evaluates its bodies, on every rank.
 struct Search {
   Search(const Arguments& arguments, const io::RankSession& ranks) : study(read_study(arguments.study, arguments.overrides)) {
-    require_device(study);
+    require_device(study, arguments);
     require_memory(study, arguments.threads, ranks.count_on_machine());
     evaluators = search_evaluators_of(study);
     half_step = half_step_evaluator_of(study);

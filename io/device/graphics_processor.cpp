@@ -14,7 +14,7 @@ std::optional<GraphicsProcessor> graphics_processor() {
   if (cudaGetDeviceCount(&count) != cudaSuccess || count == 0) return std::nullopt;
   if (cudaGetDeviceProperties(&properties, 0) != cudaSuccess) return std::nullopt;
   return GraphicsProcessor{static_cast<const char*>(properties.name), properties.multiProcessorCount,
-                           static_cast<double>(properties.totalGlobalMem) * 1e-9};
+                           static_cast<double>(properties.totalGlobalMem)};
 }
 
 std::string obstacle_to_device() {

@@ -18,7 +18,7 @@ constexpr std::string_view to_string(Device device) { return device == Device::c
 struct GraphicsProcessor {
   std::string name;
   int multiprocessors = 0;
-  double memory_GB = 0.0;
+  double memory_bytes = 0.0;
 };
 
 /// Returns the graphics processor that runs what is sent to the device; empty if there is none.

@@ -215,6 +215,8 @@ TEST_F(Evolve, RefusesAGraphicsProcessorThatIsNotThere) {
   const std::string obstacle = io::obstacle_to_device();
   if (obstacle.empty()) GTEST_SKIP() << "there is one";
   expect_refused({"study.toml", "--device", "cuda"}, {"--device cuda: " + obstacle});
+  io::write_whole(study_, std::string(small_study) + "[evaluation]\ndevice = \"cuda\"\n");
+  expect_refused({"study.toml"}, {"study.toml: evaluation.device = \"cuda\": " + obstacle});
   EXPECT_FALSE(fs::exists(archive_));
 }
 

@@ -22,7 +22,16 @@ class CudaRunner final : public RobotRunner<Real> {
         constants_(std::span<const Real>(batch.constants)),
         indices_(std::span<const std::int32_t>(batch.indices)),
         partners_(batch.partners_size),
-        loads_(batch.loads_size) {
+        loads_(batch.loads_size),
+        phases_(std::span<const double>(batch.phases)),
+        walls_(std::span<const WallLaws>(batch.walls)),
+        necks_(std::span<const LimbNeck>(batch.necks)),
+        feet_(std::span<const DeviceFoot>(batch.feet)),
+        grounds_(std::span<const VoxelCoefficients<double>>(batch.grounds)),
+        responses_(batch.responses_size),
+        ranges_(batch.ranges_size),
+        grips_(batch.grips.size()),
+        touches_(batch.touches.size()) {
     for (const Launch& launch : batch.launches()) {
       queues_.emplace_back();
       robots_.emplace_back(std::span<const std::uint32_t>(launch.robots));
@@ -31,7 +40,7 @@ class CudaRunner final : public RobotRunner<Real> {
   }
 
   void run() override {
-    if (drives_.size() < batch_.drives.size()) drives_ = io::DeviceArray<StepDrive>(batch_.drives.size());
+    if (drives_.size() < batch_.drives.size()) drives_ = io::DeviceArray<DriveMoment>(batch_.drives.size());
     data_.put(batch_.data, copies_);
     steps_.put(batch_.steps, copies_);
     drives_.put(batch_.drives, copies_);
@@ -44,7 +53,16 @@ class CudaRunner final : public RobotRunner<Real> {
                                    .indices = indices_.get(),
                                    .drives = drives_.get(),
                                    .partners = partners_.get(),
-                                   .loads = loads_.get()};
+                                   .loads = loads_.get(),
+                                   .phases = phases_.get(),
+                                   .walls = walls_.get(),
+                                   .necks = necks_.get(),
+                                   .feet = feet_.get(),
+                                   .grounds = grounds_.get(),
+                                   .responses = responses_.get(),
+                                   .ranges = ranges_.get(),
+                                   .grips = grips_.get(),
+                                   .touches = touches_.get()};
     for (std::size_t i = 0; i < queues_.size(); ++i)
       launch_steps(batch_.launches()[i].shape, arrays, robots_[i].get(), robots_[i].size(), queues_[i].get());
     for (const io::DeviceStream& queue : queues_) queue.wait();
@@ -54,11 +72,15 @@ class CudaRunner final : public RobotRunner<Real> {
 
   void fetch_state() override {
     state_.take(batch_.state, copies_);
+    grips_.take(batch_.grips, copies_);
+    touches_.take(batch_.touches, copies_);
     copies_.wait();
   }
 
   void send_state() override {
     state_.put(batch_.state, copies_);
+    grips_.put(batch_.grips, copies_);
+    touches_.put(batch_.touches, copies_);
     copies_.wait();
   }
 
@@ -71,9 +93,18 @@ class CudaRunner final : public RobotRunner<Real> {
   io::DeviceArray<Real> state_;
   io::DeviceArray<Real> constants_;
   io::DeviceArray<std::int32_t> indices_;
-  io::DeviceArray<StepDrive> drives_;
+  io::DeviceArray<DriveMoment> drives_;
   io::DeviceArray<std::int32_t> partners_;
   io::DeviceArray<Real> loads_;
+  io::DeviceArray<double> phases_;
+  io::DeviceArray<WallLaws> walls_;
+  io::DeviceArray<LimbNeck> necks_;
+  io::DeviceArray<DeviceFoot> feet_;
+  io::DeviceArray<VoxelCoefficients<double>> grounds_;
+  io::DeviceArray<WallResponse> responses_;
+  io::DeviceArray<double> ranges_;
+  io::DeviceArray<FootGrip> grips_;
+  io::DeviceArray<std::uint32_t> touches_;
   std::deque<io::DeviceStream> queues_;                ///< one per launch
   std::deque<io::DeviceArray<std::uint32_t>> robots_;  ///< of each launch
 };

@@ -13,8 +13,9 @@ constexpr std::uint64_t steps_of_piece = 4096;
 }  // namespace
 
 template <class Real>
-DeviceGroup<Real>::DeviceGroup(const std::vector<MovingBody<Real>*>& robots, Stepper stepper)
-    : batch_(robots), runner_(robot_runner(batch_, stepper)) {}
+DeviceGroup<Real>::DeviceGroup(const std::vector<MovingBody<Real>*>& robots, const std::vector<FootContact<Real>*>& feet,
+                               Stepper stepper)
+    : batch_(robots, feet), runner_(robot_runner(batch_, stepper)) {}
 
 template <class Real>
 std::vector<std::uint32_t> DeviceGroup<Real>::next_piece(const std::vector<std::uint64_t>& left) const {

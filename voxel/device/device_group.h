@@ -17,7 +17,8 @@ template <class Real>
 class DeviceGroup {
  public:
   /// @param robots that have not diverged; they must outlive the group
-  DeviceGroup(const std::vector<MovingBody<Real>*>& robots, Stepper stepper);
+  /// @param feet of each, null where it has none
+  DeviceGroup(const std::vector<MovingBody<Real>*>& robots, const std::vector<FootContact<Real>*>& feet, Stepper stepper);
 
   /// Takes steps unless robots diverge or `stop` becomes true, and writes the resulting states into the robots. A robot that the
   /// device cannot go on with (RobotEnd::crowded) keeps the state that it has reached.

@@ -13,9 +13,7 @@ namespace {
 
 template <class Real>
 bool runs_on_device(const EngineOf<Real>& engine) {
-  const Physics& physics = engine.body().physics;
-  return !physics.surrogate && effective_coupling(physics) == 0.0 && !engine.energy() &&
-         engine.options().kept_terms() == KeptTerms{} && !engine.record().divergence;
+  return !engine.energy() && engine.options().kept_terms() == KeptTerms{} && !engine.record().divergence;
 }
 
 /// Advances all robots of one number type that run on the device. The others stay as they are.
@@ -23,6 +21,7 @@ template <class Real>
 void advance_kind_on_device(std::span<Engine* const> engines, double time_s, const std::atomic<bool>* stop, Stepper stepper) {
   constexpr NumberType number = std::is_same_v<Real, double> ? NumberType::float64 : NumberType::float32;
   std::vector<MovingBody<Real>*> robots;
+  std::vector<FootContact<Real>*> feet;
   std::vector<std::uint64_t> steps;
   for (Engine* engine : engines) {
     if (engine->body().physics.integration.number != number) continue;
@@ -30,9 +29,10 @@ void advance_kind_on_device(std::span<Engine* const> engines, double time_s, con
     const std::uint64_t end = steps_until(time_s, robot->body().time_step_s);
     if (!runs_on_device(*robot) || robot->record().steps >= end) continue;
     robots.push_back(&robot->moving_body());
+    feet.push_back(robot->feet());
     steps.push_back(end - robot->record().steps);
   }
-  if (!robots.empty()) DeviceGroup<Real>(robots, stepper).advance(std::move(steps), stop);
+  if (!robots.empty()) DeviceGroup<Real>(robots, feet, stepper).advance(std::move(steps), stop);
 }
 
 }  // namespace

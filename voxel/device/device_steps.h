@@ -21,8 +21,8 @@ struct DeviceAdvance {
 /// Advances several simulations at once to a time, each by a block of threads of the graphics processor. For each it does the
 /// same as Simulation::advance_to, but for rounding (see DeviceGroup).
 ///
-/// What the device cannot step is left to the processor: calibrated bodies, lateral coupling, the energy balance, terms that are
-/// kept for comparison, and robots that touch themselves at very many places (RobotEnd::crowded).
+/// What the device cannot step is left to the processor: the energy balance, terms that are kept for comparison, and robots that
+/// touch themselves at very many places (RobotEnd::crowded).
 /// @throws io::DeviceError if the graphics processor fails
 DeviceAdvance advance_on_device_to(std::span<Simulation> simulations, double time_s, const std::atomic<bool>* stop,
                                    Stepper stepper);

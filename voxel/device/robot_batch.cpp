@@ -25,7 +25,7 @@ constexpr std::uint32_t threads_in_step = 32;
 constexpr std::uint32_t most_threads = 256;
 
 /// Threads of a block whose robot does not fit its memory.
-constexpr std::uint32_t most_threads_of_large = 512;
+constexpr std::uint32_t most_threads_of_large = most_block_threads;
 
 /// Memory of a block, bytes: what compute capability 9.0 has, less what a block needs beside its robot.
 constexpr std::size_t most_block_bytes = std::size_t{224} * 1024;
@@ -49,21 +49,22 @@ std::size_t append(std::vector<Number>& numbers, const Range& more) {
   return begin;
 }
 
-/// Calls a function with the kind of a robot's steps as constants: whether its damping is from velocities, and whether it has one
-/// set of coefficients.
+/// Calls a function with the kind of a robot's steps as constants: whether its damping is from velocities, and its BeamVariety.
 template <class Real, class Function>
-void with_kind(bool velocity, bool uniform, const Function& function) {
-  const auto with_velocity = [&](auto is_uniform) {
+void with_kind(bool velocity, BeamVariety variety, const Function& function) {
+  const auto with_velocity = [&](auto constant_variety) {
     if (velocity) {
-      function(std::true_type{}, is_uniform);
+      function(std::true_type{}, constant_variety);
     } else if constexpr (std::is_same_v<Real, double>) {  // single precision needs damping from velocities
-      function(std::false_type{}, is_uniform);
+      function(std::false_type{}, constant_variety);
     }
   };
-  if (uniform) {
-    with_velocity(std::true_type{});
+  if (variety == BeamVariety::uniform) {
+    with_velocity(std::integral_constant<BeamVariety, BeamVariety::uniform>{});
+  } else if (variety == BeamVariety::classes) {
+    with_velocity(std::integral_constant<BeamVariety, BeamVariety::classes>{});
   } else {
-    with_velocity(std::false_type{});
+    with_velocity(std::integral_constant<BeamVariety, BeamVariety::own_lengths>{});
   }
 }
 
@@ -76,8 +77,9 @@ std::uint32_t threads_for(std::size_t most_beams, std::uint32_t most) {
 }  // namespace
 
 template <class Real>
-RobotBatch<Real>::RobotBatch(std::vector<MovingBody<Real>*> robots) : robots_(std::move(robots)) {
-  for (const MovingBody<Real>* robot : robots_) add(*robot);
+RobotBatch<Real>::RobotBatch(std::vector<MovingBody<Real>*> robots, std::vector<FootContact<Real>*> contacts)
+    : robots_(std::move(robots)), contacts_(std::move(contacts)) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) add(*robots_[i], contacts_[i]);
   for (std::uint32_t i = 0; i < robots_.size(); ++i) {
     put(i);
     choose_launch(i);
@@ -87,10 +89,10 @@ RobotBatch<Real>::RobotBatch(std::vector<MovingBody<Real>*> robots) : robots_(st
 }
 
 template <class Real>
-void RobotBatch<Real>::add(const MovingBody<Real>& robot) {
+void RobotBatch<Real>::add(const MovingBody<Real>& robot, const FootContact<Real>* contact) {
   const StepData<Real>& d = robot.data();
   RobotData<Real> one;
-  static_cast<StepConstants<Real>&>(one) = d;
+  static_cast<StepConstants<Real>&>(one) = static_cast<const StepConstants<Real>&>(d);
   one.rate_scale = static_cast<Real>(1.0 / robot.body().time_step_s);
   one.floor_depth = d.floor_depth;
   one.displacement_limit2 = d.displacement_limit2;
@@ -100,7 +102,120 @@ void RobotBatch<Real>::add(const MovingBody<Real>& robot) {
   add_voxels(robot, one);
   add_beams(robot, one);
   add_contacts(robot, one);
+  if (effective_coupling(robot.body().physics) != 0.0) add_coupling(robot, one);
+  if (robot.pressures() != nullptr) add_calibrated(robot, contact, one);
   data.push_back(one);
+}
+
+template <class Real>
+void RobotBatch<Real>::add_coupling(const MovingBody<Real>& robot, RobotData<Real>& one) {
+  const VoxelBody& body = robot.body();
+  one.has_coupling = true;
+  one.half_coupling = static_cast<Real>(0.5 * effective_coupling(body.physics));
+  one.axial = constants.size();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const std::size_t beam : body.classes.beam_class[axis])
+      constants.push_back(static_cast<Real>(body.classes.beam[beam].axial));
+  }
+  one.coupling_sums = loads_size;
+  loads_size += std::size_t{3} * one.stride;
+}
+
+template <class Real>
+void RobotBatch<Real>::add_calibrated(const MovingBody<Real>& robot, const FootContact<Real>* contact, RobotData<Real>& one) {
+  const auto& tables = robot.pressures()->tables();
+  const CalibratedBody& calibrated = *robot.body().physics.surrogate;
+  const ValidityRange& validity = calibrated.parameters.validity;
+  CalibratedData& c = one.calibrated;
+  c.has_kinks = robot.data().axis[0].half_kink != nullptr;
+  c.refuses = calibrated.outside_range != OutsideRange::warn;
+  c.smallest_strain = validity.smallest_strain;
+  c.largest_strain = validity.largest_strain;
+  c.edge_m = tables.edge_m;
+  c.wave = tables.wave;
+  c.phases = static_cast<std::uint32_t>(tables.phases.size());
+  c.phase_table = phases.size();
+  for (const auto& phase : tables.phases) phases.insert(phases.end(), phase.begin(), phase.end());
+  c.walls = append(walls, tables.walls);
+  c.responses = responses_size;
+  responses_size += wall_class_count * tables.phases.size();
+  c.ranges = ranges_size;
+  ranges_size += std::size_t{2} * most_block_threads;
+  const auto index_of = [](std::size_t number) { return static_cast<std::int32_t>(number); };
+  c.beam_halves = indices.size();
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (const auto& beams : tables.beam_responses)
+      for (const auto& of_halves : beams) indices.push_back(index_of(of_halves[half]));
+  }
+  c.necks = necks.size();
+  c.neck_begin = indices.size();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto neck = tables.necks[axis].begin();
+    for (std::size_t beam = 0; beam < tables.beam_responses[axis].size(); ++beam) {
+      indices.push_back(index_of(necks.size() - c.necks));
+      for (; neck != tables.necks[axis].end() && neck->beam == beam; ++neck) necks.push_back(*neck);
+    }
+  }
+  indices.push_back(index_of(necks.size() - c.necks));
+  c.voxel_halves = reserve(indices, std::size_t{3} * one.stride);
+  for (std::size_t i = 0; i < one.voxels; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) indices[c.voxel_halves + one.stride * k + i] = index_of(tables.voxel_responses[i][k]);
+  }
+  c.lengths_in_use = append(indices, tables.lengths_in_use);
+  c.lengths_in_use_count = static_cast<std::uint32_t>(tables.lengths_in_use.size());
+  c.bulges_in_use = append(indices, tables.bulges_in_use);
+  c.bulges_in_use_count = static_cast<std::uint32_t>(tables.bulges_in_use.size());
+  if (contact != nullptr) add_feet(robot, *contact, one);
+}
+
+template <class Real>
+void RobotBatch<Real>::add_feet(const MovingBody<Real>& robot, const FootContact<Real>& contact, RobotData<Real>& one) {
+  const auto& bulges = robot.pressures()->tables().bulge_responses;
+  CalibratedData& c = one.calibrated;
+  c.has_feet = true;
+  c.ground_m = contact.height_m();
+  c.grounds = append(grounds, robot.body().classes.voxel);
+  c.touches = reserve(touches, one.voxels);
+  c.feet = feet.size();
+  c.foot_begin = indices.size();
+  for (std::size_t i = 0; i < one.voxels; ++i) {
+    indices.push_back(static_cast<std::int32_t>(feet.size() - c.feet));
+    for (const auto& foot : contact.feet(i)) {
+      DeviceFoot& added = feet.emplace_back();
+      added.kind = foot.of_wall.kind;
+      added.axis = static_cast<std::uint32_t>(foot.of_wall.axis);
+      std::ranges::copy(foot.of_wall.signs, added.signs);
+      added.share = foot.of_wall.share;
+      for (const std::size_t voxel : foot.of_wall.bulging)
+        added.bulging.response[added.bulging.count++] = static_cast<std::int32_t>(bulges[voxel][foot.of_wall.axis]);
+    }
+  }
+  indices.push_back(static_cast<std::int32_t>(feet.size() - c.feet));
+  grips.resize(feet.size());
+}
+
+template <class Real>
+void RobotBatch<Real>::put_feet(std::size_t robot) {
+  CalibratedData& c = data[robot].calibrated;
+  const FootContact<Real>& contact = *contacts_[robot];
+  std::ranges::copy(robots_[robot]->state().origin_m(), c.origin_m);
+  std::size_t next = c.feet;
+  for (std::size_t i = 0; i < data[robot].voxels; ++i) {
+    touches[c.touches + i] = (contact.touches(i) ? touches_ground : 0U) | (contact.sticks(i) ? sticks_to_ground : 0U);
+    for (const auto& foot : contact.feet(i)) grips[next++] = foot.grip;
+  }
+}
+
+template <class Real>
+void RobotBatch<Real>::take_feet(std::size_t robot) {
+  const CalibratedData& c = data[robot].calibrated;
+  std::size_t next = c.feet;
+  for (std::size_t i = 0; i < data[robot].voxels; ++i) {
+    const std::size_t count = contacts_[robot]->feet(i).size();
+    const std::uint32_t seen = touches[c.touches + i];
+    contacts_[robot]->take_over(i, {grips.data() + next, count}, (seen & touches_ground) != 0, (seen & sticks_to_ground) != 0);
+    next += count;
+  }
 }
 
 template <class Real>
@@ -185,7 +300,9 @@ void RobotBatch<Real>::choose_launch(std::uint32_t position) {
   const RobotData<Real>& one = data[position];
   LaunchShape shape;
   shape.velocity = robots_[position]->body().physics.integration.damping == DampingMode::velocity;
-  shape.uniform = robots_[position]->state().uniform();
+  shape.variety = robots_[position]->pressures() != nullptr                   ? BeamVariety::own_lengths
+                  : robots_[position]->state().uniform() && !one.has_coupling ? BeamVariety::uniform
+                                                                              : BeamVariety::classes;
   shape.block_bytes = (2 * line_size + numbers_of_load) * one.stride * sizeof(Real);
   shape.in_block = shape.block_bytes <= most_block_bytes;
   if (!shape.in_block) shape.block_bytes = 0;
@@ -211,6 +328,7 @@ void RobotBatch<Real>::put(std::size_t robot) {
   RobotData<Real>& one = data[robot];
   const StepData<Real>& d = robots_[robot]->data();
   one.floor_depth = d.floor_depth;
+  if (one.calibrated.has_feet) put_feet(robot);
   for (std::size_t i = 0; i < one.voxels; ++i) {
     for (std::size_t k = 0; k < line_size; ++k) {
       state[one.pose + one.stride * k + i] = d.pose[line_size * i + k];
@@ -247,7 +365,9 @@ void RobotBatch<Real>::take(std::size_t robot) {
     for (std::size_t k = 0; k < history_size; ++k)
       std::copy_n(state.data() + one.history + one.beams() * k + one.beam_begin[axis], count, beams.history + beams.count * k);
   }
-  robots_[robot]->take_over(progress.made, progress.end == RobotEnd::strained, progress.end == RobotEnd::too_fast);
+  if (one.calibrated.has_feet) take_feet(robot);
+  robots_[robot]->take_over(progress.made, progress.end == RobotEnd::strained, progress.end == RobotEnd::too_fast,
+                            progress.strains);
   progress.made = 0;
 }
 
@@ -264,17 +384,15 @@ void RobotBatch<Real>::plan(const std::vector<std::uint32_t>& most) {
     const auto alike = std::ranges::find_if(planned, [&](std::size_t other) {
       const VoxelBody& its = robots_[other]->body();
       return steps[other] >= steps[i] && all_steps(other) == all_steps(i) && its.time_step_s == body.time_step_s &&
-             its.physics.actuation == body.physics.actuation && robots_[other]->shaped() == robots_[i]->shaped();
+             its.physics.actuation == body.physics.actuation && robots_[other]->shaped() == robots_[i]->shaped() &&
+             its.hollow.has_value() == body.hollow.has_value();
     });
     if (alike != planned.end()) {
       data[i].drives = data[*alike].drives;
       continue;
     }
-    data[i].drives = drives.size();
-    for (std::uint64_t n = 1; n <= steps[i]; ++n) {
-      const DriveMoment moment = robots_[i]->drive_after(all_steps(i) + n);
-      drives.push_back({moment.sine, moment.cosine, moment.sine_rate, moment.cosine_rate});
-    }
+    data[i].drives = drives.size() + 1;
+    for (std::uint64_t n = 0; n <= steps[i]; ++n) drives.push_back(robots_[i]->drive_after(all_steps(i) + n));
     planned.push_back(i);
   }
 }
@@ -285,6 +403,8 @@ void RobotBatch<Real>::note_outcomes() {
     if (steps[i] == 0) continue;
     progress_[i].made += outcomes[i].steps;
     progress_[i].end = outcomes[i].end;
+    progress_[i].strains.smallest = std::min(progress_[i].strains.smallest, outcomes[i].strains.smallest);
+    progress_[i].strains.largest = std::max(progress_[i].strains.largest, outcomes[i].strains.largest);
   }
 }
 
@@ -292,6 +412,8 @@ template <class Real>
 void RobotBatch<Real>::step_alone() {
   std::vector<std::int32_t> partners(partners_size);
   std::vector<Real> loads(loads_size);
+  std::vector<WallResponse> responses(responses_size);
+  std::vector<double> ranges(ranges_size);
   BatchArrays<Real> arrays{.robots = data.data(),
                            .steps = steps.data(),
                            .outcomes = outcomes.data(),
@@ -300,15 +422,24 @@ void RobotBatch<Real>::step_alone() {
                            .indices = indices.data(),
                            .drives = drives.data(),
                            .partners = partners.data(),
-                           .loads = loads.data()};
+                           .loads = loads.data(),
+                           .phases = phases.data(),
+                           .walls = walls.data(),
+                           .necks = necks.data(),
+                           .feet = feet.data(),
+                           .grounds = grounds.data(),
+                           .responses = responses.data(),
+                           .ranges = ranges.data(),
+                           .grips = grips.data(),
+                           .touches = touches.data()};
   for (const Launch& launch : launches_) {
     for (const std::uint32_t robot : launch.robots) {
       const RobotData<Real>& one = data[robot];
       const SharedLines<Real> lines{arrays.state + one.pose, arrays.state + one.motion, arrays.loads + one.loads};
       if (steps[robot] == 0) continue;
       const io::LoneThread thread;
-      with_kind<Real>(launch.shape.velocity, launch.shape.uniform, [&](auto velocity, auto uniform) {
-        outcomes[robot] = RobotStepper<velocity, uniform, Real, io::LoneThread>(thread, one, arrays, lines).advance(steps[robot]);
+      with_kind<Real>(launch.shape.velocity, launch.shape.variety, [&](auto velocity, auto variety) {
+        outcomes[robot] = RobotStepper<velocity, variety, Real, io::LoneThread>(thread, one, arrays, lines).advance(steps[robot]);
       });
     }
   }

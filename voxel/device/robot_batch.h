@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "voxel/device/robot_data.h"
+#include "voxel/engine/foot_contact.h"
 #include "voxel/engine/moving_body.h"
 
 namespace menger::voxel {
@@ -22,7 +23,8 @@ template <class Real>
 class RobotBatch {
  public:
   /// @param robots that run_on_device; they must outlive the batch
-  explicit RobotBatch(std::vector<MovingBody<Real>*> robots);
+  /// @param contacts the feet of each, null where it has none
+  RobotBatch(std::vector<MovingBody<Real>*> robots, std::vector<FootContact<Real>*> contacts);
 
   [[nodiscard]] const std::vector<MovingBody<Real>*>& robots() const { return robots_; }
 
@@ -56,15 +58,29 @@ class RobotBatch {
   std::vector<RobotOutcome> outcomes;
   std::vector<Real> state, constants;
   std::vector<std::int32_t> indices;
-  std::vector<StepDrive> drives;
+  std::vector<DriveMoment> drives;
+  std::vector<double> phases;
+  std::vector<WallLaws> walls;
+  std::vector<LimbNeck> necks;
+  std::vector<DeviceFoot> feet;
+  std::vector<VoxelCoefficients<double>> grounds;
+  std::vector<FootGrip> grips;
+  std::vector<std::uint32_t> touches;
+  std::size_t responses_size = 0;
+  std::size_t ranges_size = 0;
   std::size_t partners_size = 0;  ///< scratch memory, in numbers
   std::size_t loads_size = 0;
 
  private:
-  void add(const MovingBody<Real>& robot);
-  void add_beams(const MovingBody<Real>& robot, RobotData<Real>& data);
-  void add_voxels(const MovingBody<Real>& robot, RobotData<Real>& data);
-  void add_contacts(const MovingBody<Real>& robot, RobotData<Real>& data);
+  void add(const MovingBody<Real>& robot, const FootContact<Real>* contact);
+  void add_beams(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_voxels(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_contacts(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_coupling(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_calibrated(const MovingBody<Real>& robot, const FootContact<Real>* contact, RobotData<Real>& one);
+  void add_feet(const MovingBody<Real>& robot, const FootContact<Real>& contact, RobotData<Real>& one);
+  void put_feet(std::size_t robot);
+  void take_feet(std::size_t robot);
   void choose_launch(std::uint32_t position);
   [[nodiscard]] std::uint64_t all_steps(std::size_t robot) const {
     return robots_[robot]->record().steps + progress_[robot].made;
@@ -74,9 +90,11 @@ class RobotBatch {
   struct Progress {
     std::uint64_t made = 0;
     RobotEnd end = RobotEnd::completed;
+    StrainRange strains;
   };
 
   std::vector<MovingBody<Real>*> robots_;
+  std::vector<FootContact<Real>*> contacts_;  ///< per robot, or null
   std::vector<Progress> progress_;
   std::vector<Launch> launches_;
 };

@@ -3,7 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "voxel/engine/foot_press.h"
+#include "voxel/engine/wall_response.h"
 #include "voxel/kernels/step_data.h"
+#include "voxel/model/actuation.h"
+#include "voxel/model/strain_range.h"
 
 namespace menger::voxel {
 
@@ -13,9 +17,46 @@ enum class SizeDrive : std::uint8_t {
   shaped  ///< a sine with a ramp, or a size that is held; see is_shaped
 };
 
-/// The drive at the end of a step, see DriveMoment.
-struct StepDrive {
-  double sine = 0.0, cosine = 1.0, sine_rate = 0.0, cosine_rate = 0.0;
+/// A foot of a calibrated body as a block of threads presses it, see WallFoot.
+struct DeviceFoot {
+  /// Positions of the responses of the walls that make the bulge.
+  struct Bulging {
+    std::int32_t response[4] = {};
+    std::uint32_t count = 0;
+
+    [[nodiscard]] MENGER_HOST_DEVICE std::int32_t front() const { return response[0]; }
+    [[nodiscard]] MENGER_HOST_DEVICE std::size_t size() const { return count; }
+    [[nodiscard]] MENGER_HOST_DEVICE const std::int32_t* begin() const { return response; }
+    [[nodiscard]] MENGER_HOST_DEVICE const std::int32_t* end() const { return response + count; }
+  };
+
+  WallFoot::Kind kind = WallFoot::Kind::corner;
+  std::uint32_t axis = 0;
+  double signs[3] = {};
+  double share = 1.0;
+  Bulging bulging;
+};
+
+/// What a calibrated body adds to RobotData. Responses are numbered as in PressureDrive::Tables.
+struct CalibratedData {
+  bool has_kinks = false;
+  bool has_feet = false;
+  bool refuses = false;                                ///< it diverges where a strain is out of the range of validity
+  double smallest_strain = 0.0, largest_strain = 0.0;  ///< of that range
+  double edge_m = 0.0;
+  double ground_m = 0.0;    ///< height in the world
+  double origin_m[3] = {};  ///< of positions, in the world
+  PressureWave wave;
+  std::uint32_t phases = 0;
+  std::uint32_t lengths_in_use_count = 0, bulges_in_use_count = 0;
+
+  // where its arrays begin in those of the batch
+  std::size_t phase_table = 0, walls = 0, responses = 0, ranges = 0, necks = 0, feet = 0, touches = 0, grounds = 0;
+  std::size_t beam_halves = 0;   ///< responses of the lower halves of all beams, then of the upper ones
+  std::size_t neck_begin = 0;    ///< per beam, and one more
+  std::size_t voxel_halves = 0;  ///< per voxel, component by component
+  std::size_t foot_begin = 0;    ///< per voxel, and one more
+  std::size_t lengths_in_use = 0, bulges_in_use = 0;
 };
 
 /// Most partners that the list of a voxel's possible contacts holds. A voxel of a lattice has 18 within the reach of such a list,
@@ -50,7 +91,7 @@ struct RobotData : StepConstants<Real> {
 
   // where arrays of indices begin
   std::size_t lower = 0, upper = 0, beam_class = 0, voxel_class = 0;
-  std::size_t drives = 0;  ///< where its StepDrives begin, one per step
+  std::size_t drives = 0;  ///< where the drives at the ends of its steps begin, after that at the start of the first one
 
   // contacts between voxels; none without surface voxels
   std::uint32_t surface_voxels = 0;
@@ -63,6 +104,13 @@ struct RobotData : StepConstants<Real> {
 
   std::size_t loads = 0;  ///< in the scratch numbers: numbers_of_load per voxel, where they do not fit the block's own memory
 
+  bool has_coupling = false;  ///< see LateralCoupling
+  Real half_coupling = 0;
+  std::size_t axial = 0;          ///< per beam, among the constants
+  std::size_t coupling_sums = 0;  ///< in the scratch numbers: three per voxel
+
+  CalibratedData calibrated;  ///< of calibrated bodies
+
   [[nodiscard]] MENGER_HOST_DEVICE std::uint32_t beams() const { return beam_begin[3]; }
 };
 
@@ -73,6 +121,7 @@ inline constexpr std::uint32_t numbers_of_load = 6;
 enum class RobotEnd : std::uint8_t {
   completed,  ///< all steps were made
   strained,   ///< in its last step a strain was out of range; that step ended before voxels moved
+  outside,    ///< in its last step a strain left the range of validity; that step ended before voxels moved
   too_fast,   ///< in its last step a voxel was too fast, or not finite
   crowded     ///< after its last step a voxel had more possible contacts than the list holds
 };
@@ -81,12 +130,14 @@ struct RobotOutcome {
   std::uint32_t steps = 0;  ///< made, with one that was cut short
   RobotEnd end = RobotEnd::completed;
   double middle_m[3] = {0.0, 0.0, 0.0};  ///< mean of the positions, from the origin
+  StrainRange strains;                   ///< of a calibrated body in these steps
 };
 
 /// Which steps a launch takes, and with how many threads for each of its robots.
 struct LaunchShape {
-  bool velocity = false;        ///< damping is from velocities
-  bool uniform = false;         ///< one set of coefficients
+  bool velocity = false;  ///< damping is from velocities
+  /// own_lengths also for bodies with kinks, and uniform only for bodies without lateral coupling
+  BeamVariety variety = BeamVariety::classes;
   bool in_block = false;        ///< poses, motions and loads fit the memory of a block
   std::uint32_t threads = 32;   ///< of a block, a multiple of 32
   std::size_t block_bytes = 0;  ///< memory of a block
@@ -103,9 +154,25 @@ struct BatchArrays {
   Real* state = nullptr;                 ///< what steps change: pose, motion, history, residual
   const Real* constants = nullptr;       ///< size_parts, external, voxel_table, beam_table
   const std::int32_t* indices = nullptr;
-  const StepDrive* drives = nullptr;
+  const DriveMoment* drives = nullptr;
   std::int32_t* partners = nullptr;
   Real* loads = nullptr;
+
+  // of calibrated bodies
+  const double* phases = nullptr;  ///< cosine and sine each
+  const WallLaws* walls = nullptr;
+  const LimbNeck* necks = nullptr;
+  const DeviceFoot* feet = nullptr;
+  const VoxelCoefficients<double>* grounds = nullptr;  ///< per class of voxels
+  WallResponse* responses = nullptr;
+  double* ranges = nullptr;
+  FootGrip* grips = nullptr;         ///< per foot; changed by steps
+  std::uint32_t* touches = nullptr;  ///< per voxel: touches_ground and sticks_to_ground; changed by steps
 };
+
+inline constexpr std::uint32_t touches_ground = 1, sticks_to_ground = 2;
+
+/// Most threads of any block.
+inline constexpr std::uint32_t most_block_threads = 512;
 
 }  // namespace menger::voxel

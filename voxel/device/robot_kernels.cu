@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "io/device/cuda_block_thread.cuh"
 #include "io/device/device_memory.h"
 #include "voxel/device/robot_kernels.h"
@@ -10,7 +12,7 @@ namespace {
 // A thread has as many registers as the file has room for with so many threads: the law of a beam takes over a hundred.
 constexpr int block_threads = 256;
 constexpr int blocks_at_once = 2;
-constexpr int large_block_threads = 512;
+constexpr int large_block_threads = most_block_threads;
 
 /// Copies an object for all threads of a block.
 template <class Object>
@@ -25,7 +27,7 @@ __device__ void copy_numbers(Real* to, const Real* from, std::size_t count) {
   for (std::size_t i = threadIdx.x; i < count; i += blockDim.x) to[i] = from[i];
 }
 
-template <bool Velocity, bool Uniform, bool InBlock, class Real>
+template <bool Velocity, BeamVariety Variety, bool InBlock, class Real>
 __global__ void __launch_bounds__(InBlock ? block_threads : large_block_threads, InBlock ? blocks_at_once : 1)
     step_robots(const BatchArrays<Real> arrays, const std::uint32_t* robots) {
   __shared__ double memory[io::CudaBlockThread::memory_numbers];
@@ -49,13 +51,13 @@ __global__ void __launch_bounds__(InBlock ? block_threads : large_block_threads,
     copy_numbers(lines.pose, pose, numbers);
     copy_numbers(lines.motion, motion, numbers);
     __syncthreads();
-    outcome = RobotStepper<Velocity, Uniform, Real, io::CudaBlockThread>(thread, robot, arrays, lines).advance(count);
+    outcome = RobotStepper<Velocity, Variety, Real, io::CudaBlockThread>(thread, robot, arrays, lines).advance(count);
     __syncthreads();
     copy_numbers(pose, lines.pose, numbers);
     copy_numbers(motion, lines.motion, numbers);
   } else {
     const SharedLines<Real> lines{pose, motion, arrays.loads + robot.loads};
-    outcome = RobotStepper<Velocity, Uniform, Real, io::CudaBlockThread>(thread, robot, arrays, lines).advance(count);
+    outcome = RobotStepper<Velocity, Variety, Real, io::CudaBlockThread>(thread, robot, arrays, lines).advance(count);
   }
   if (threadIdx.x == 0) arrays.outcomes[number] = outcome;
 }
@@ -65,8 +67,17 @@ using StepKernel = void (*)(BatchArrays<Real>, const std::uint32_t*);
 
 template <bool Velocity, class Real>
 StepKernel<Real> kernel_for(const LaunchShape& shape) {
-  if (shape.uniform) return shape.in_block ? step_robots<Velocity, true, true, Real> : step_robots<Velocity, true, false, Real>;
-  return shape.in_block ? step_robots<Velocity, false, true, Real> : step_robots<Velocity, false, false, Real>;
+  const auto of = [&]<BeamVariety Variety>(std::integral_constant<BeamVariety, Variety>) -> StepKernel<Real> {
+    return shape.in_block ? step_robots<Velocity, Variety, true, Real> : step_robots<Velocity, Variety, false, Real>;
+  };
+  switch (shape.variety) {
+    case BeamVariety::uniform:
+      return of(std::integral_constant<BeamVariety, BeamVariety::uniform>{});
+    case BeamVariety::classes:
+      return of(std::integral_constant<BeamVariety, BeamVariety::classes>{});
+    default:
+      return of(std::integral_constant<BeamVariety, BeamVariety::own_lengths>{});
+  }
 }
 
 StepKernel<double> kernel_of(const LaunchShape& shape, double) {

@@ -3,6 +3,8 @@
 // The steps of one robot by a block of threads, which is a block of CUDA or a lone thread (see io::LoneThread). The physics are
 // the laws and steps of the other rooms, for a plain number.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +26,12 @@ struct SharedLines {
 
 /// The steps of one robot.
 /// @tparam Velocity damping is from velocities, see DampingMode
-/// @tparam Uniform all beams and voxels have one set of coefficients
-template <bool Velocity, bool Uniform, class Real, class Thread>
+/// @tparam Variety of the beams, as in LaunchShape
+template <bool Velocity, BeamVariety Variety, class Real, class Thread>
 class RobotStepper {
+  static constexpr bool Uniform = Variety == BeamVariety::uniform;
+  static constexpr bool Calibrated = Variety == BeamVariety::own_lengths;
+
  public:
   /// @param lines of the robot, with its state; loads need not be set
   MENGER_HOST_DEVICE RobotStepper(const Thread& thread, const RobotData<Real>& robot, const BatchArrays<Real>& arrays,
@@ -38,18 +43,29 @@ class RobotStepper {
     RobotOutcome outcome;
     const bool collides = robot_.surface_voxels > 0;
     for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count()) reset_load(i);
+    if constexpr (Calibrated) set_responses(arrays_.drives[robot_.drives - 1]);
     thread_.wait();
     if (collides && thread_.any(!list_partners())) outcome.end = RobotEnd::crowded;
     while (outcome.end == RobotEnd::completed && outcome.steps < count) {
       const bool in_range = add_beam_loads(robot_.is_first_step && outcome.steps == 0 ? Real(0) : robot_.rate_scale);
-      if (thread_.any(!in_range)) {
-        outcome.end = RobotEnd::strained;
+      if (thread_.any(!in_range || !is_valid_)) {
+        outcome.end = thread_.any(!in_range) ? RobotEnd::strained : RobotEnd::outside;
       } else {
+        if constexpr (!Uniform) {
+          if (robot_.has_coupling) add_coupling_loads();
+        }
         if (collides) {
           add_contact_loads();
           thread_.wait();
         }
-        const bool is_slow = move_voxels(arrays_.drives[robot_.drives + outcome.steps]);
+        const DriveMoment& drive = arrays_.drives[robot_.drives + outcome.steps];
+        if constexpr (Calibrated) {
+          if (robot_.calibrated.has_feet) add_foot_loads();
+          thread_.wait();
+          set_responses(drive);
+          thread_.wait();
+        }
+        const bool is_slow = move_voxels(drive);
         if (thread_.any(!is_slow || (collides && !(path_m_ <= robot_.half_skin)))) {
           if (thread_.any(!is_slow)) {
             outcome.end = RobotEnd::too_fast;
@@ -66,6 +82,7 @@ class RobotStepper {
         sum += static_cast<double>(lines_.pose[robot_.stride * axis + i]);
       outcome.middle_m[axis] = thread_.sum(sum) / static_cast<double>(robot_.voxels);
     }
+    if constexpr (Calibrated) outcome.strains = strains_of_all();
     return outcome;
   }
 
@@ -147,7 +164,7 @@ class RobotStepper {
 
   /// Returns the loads of a beam in the world (permuted axes).
   MENGER_HOST_DEVICE BeamLoads<Real> beam_loads(std::size_t beam, std::size_t lower, std::size_t upper, const AxisOrder& order,
-                                                Real rate_scale, bool& in_range) const {
+                                                Real rate_scale, bool& in_range) {
     const auto pose = [&](std::size_t voxel) {
       return permuted_line(lines_.pose, voxel, order, slot::x, slot::qx, slot::size, slot::qw);
     };
@@ -156,17 +173,31 @@ class RobotStepper {
     };
     const BeamCoefficients<Real> c = beam_coefficients(beam);
     BeamEnds<Real> ends = beam_ends<0>(pose(lower), pose(upper));
+    [[maybe_unused]] OwnLength own;
+    if constexpr (Calibrated) {
+      own = own_length(beam);
+      ends.rest_length = own.length;
+    }
     if (robot_.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
+    if constexpr (Calibrated) {
+      if (robot_.calibrated.has_kinks) kink(ends, own.half_kink[0], own.half_kink[1]);
+    }
     const auto rates = [&] {
       const VoxelCoefficients<Real> at_lower = voxel_coefficients(lower);
       const VoxelCoefficients<Real> at_upper = voxel_coefficients(upper);
       const EndInertias<Real> inverse = {at_lower.inverse_mass, at_upper.inverse_mass, at_lower.inverse_inertia,
                                          at_upper.inverse_inertia};
-      return beam_end_rates<0>(inverse, motion(lower), motion(upper));
+      BeamEndRates<Real> rate = beam_end_rates<0>(inverse, motion(lower), motion(upper));
+      if constexpr (Calibrated) {
+        rate.rest_length_rate = own.rate;
+        if (robot_.calibrated.has_kinks) add_kink_rate(rate, ends, own.half_kink[2], own.half_kink[3]);
+      }
+      return rate;
     };
-    const BeamStep<Real> step =
-        step_of_beam<Velocity, false>(rate_scale, c, ends, rates, arrays_.state + robot_.history + beam, robot_.beams());
+    const BeamStep<Real> step = step_of_beam<Velocity, Calibrated, Real>(rate_scale, c, ends, rates,
+                                                                         arrays_.state + robot_.history + beam, robot_.beams());
     in_range = in_range && is_strain_in_range(step.state.deformation, ends.rest_length, robot_.strain_limit);
+    if constexpr (Calibrated) note_strain(step.state.deformation.displacement.x / ends.rest_length);
     return to_world(step.state.frame, step.elastic + step.damping);
   }
 
@@ -174,7 +205,7 @@ class RobotStepper {
   /// add them: along one axis after the other, first as the upper, then as the lower end. Along an axis it is either end of one
   /// beam at most, and of the two the one of which it is the upper end comes first.
   /// @return false if a strain of a beam of this thread is out of range
-  MENGER_HOST_DEVICE bool add_beam_loads(Real rate_scale) const {
+  MENGER_HOST_DEVICE bool add_beam_loads(Real rate_scale) {
     bool in_range = true;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       const AxisOrder order{{axis, (axis + 1) % 3, (axis + 2) % 3}};
@@ -197,11 +228,200 @@ class RobotStepper {
     return in_range;
   }
 
+  /// Rest length of a beam of a calibrated body (m) with its rate (m/s), and half its kink with its rates, see BeamAxisData.
+  struct OwnLength {
+    Real length, rate;
+    Real half_kink[4];
+  };
+
+  MENGER_HOST_DEVICE const WallResponse& response(std::size_t number) const {
+    return arrays_.responses[robot_.calibrated.responses + number];
+  }
+
+  /// Returns what PressureDrive sets for a beam.
+  MENGER_HOST_DEVICE OwnLength own_length(std::size_t beam) const {
+    const CalibratedData& c = robot_.calibrated;
+    const WallResponse& lower = response(index(c.beam_halves, beam));
+    const WallResponse& upper = response(index(c.beam_halves, robot_.beams() + beam));
+    double length = lower.half_length_m + upper.half_length_m;
+    double rate = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
+    OwnLength own{Real(0), Real(0), {Real(0), Real(0), Real(0), Real(0)}};
+    const double half_per_m = 0.5 / c.edge_m;
+    for (std::size_t n = index(c.neck_begin, beam); n < index(c.neck_begin, beam + 1); ++n) {
+      const LimbNeck& neck = arrays_.necks[c.necks + n];
+      const WallResponse& wall = response(neck.bulge);
+      length += neck.lift * wall.bulge_peak_m;
+      rate += neck.lift * wall.bulge_peak_rate_m_s;
+      for (std::size_t k = 0; k < 2; ++k) {
+        own.half_kink[k] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_m);
+        own.half_kink[k + 2] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_rate_m_s);
+      }
+    }
+    own.length = static_cast<Real>(length);
+    own.rate = static_cast<Real>(rate);
+    return own;
+  }
+
+  /// Evaluates the laws of the walls for a moment of the drive.
+  MENGER_HOST_DEVICE void set_responses(const DriveMoment& drive) const {
+    const CalibratedData& c = robot_.calibrated;
+    for (std::size_t r = thread_.index(); r < wall_class_count * c.phases; r += thread_.count()) {
+      const double* phase = arrays_.phases + c.phase_table + 2 * (r / wall_class_count);
+      arrays_.responses[c.responses + r] =
+          wall_response(c.edge_m, arrays_.walls[c.walls + r % wall_class_count], c.wave.value(drive, phase[0], phase[1]),
+                        c.wave.rate(drive, phase[0], phase[1]));
+    }
+  }
+
+  /// Widens the range of strains of this thread.
+  MENGER_HOST_DEVICE void note_strain(Real strain) {
+    const CalibratedData& c = robot_.calibrated;
+    smallest_strain_ = strain < smallest_strain_ ? strain : smallest_strain_;
+    largest_strain_ = strain > largest_strain_ ? strain : largest_strain_;
+    if (c.refuses &&
+        (static_cast<double>(smallest_strain_) < c.smallest_strain || static_cast<double>(largest_strain_) > c.largest_strain)) {
+      is_valid_ = false;
+    }
+  }
+
+  MENGER_HOST_DEVICE StrainRange strains_of_all() const {
+    double* ranges = arrays_.ranges + robot_.calibrated.ranges;
+    ranges[2 * thread_.index()] = static_cast<double>(smallest_strain_);
+    ranges[2 * thread_.index() + 1] = static_cast<double>(largest_strain_);
+    thread_.wait();
+    StrainRange strains;
+    for (std::size_t n = 0; n < thread_.count(); ++n) {
+      if (ranges[2 * n] < strains.smallest) strains.smallest = ranges[2 * n];
+      if (ranges[2 * n + 1] > strains.largest) strains.largest = ranges[2 * n + 1];
+    }
+    return strains;
+  }
+
+  /// Adds the loads of the feet of the voxels of this thread, as FootContact does.
+  MENGER_HOST_DEVICE void add_foot_loads() const {
+    const CalibratedData& c = robot_.calibrated;
+    GroundReach reach{c.ground_m, 0.0, 0.0};
+    for (std::size_t n = 0; n < c.lengths_in_use_count; ++n)
+      reach.half_length_m = std::max(reach.half_length_m, response(index(c.lengths_in_use, n)).half_length_m);
+    for (std::size_t n = 0; n < c.bulges_in_use_count; ++n)
+      reach.bulge_m = std::max(reach.bulge_m, response(index(c.bulges_in_use, n)).bulge_peak_m);
+    const double highest_m = reach.highest_m();
+    for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count()) press_voxel(i, reach, highest_m);
+  }
+
+  MENGER_HOST_DEVICE void press_voxel(std::size_t voxel, const GroundReach& reach, double highest_m) const {
+    const CalibratedData& c = robot_.calibrated;
+    const std::size_t first = c.feet + index(c.foot_begin, voxel);
+    const std::size_t count = c.feet + index(c.foot_begin, voxel + 1) - first;
+    std::uint32_t& touches = arrays_.touches[c.touches + voxel];
+    const auto vector_at = [&](const Real* values, int slot) {
+      const Real* at = values + robot_.stride * static_cast<std::size_t>(slot) + voxel;
+      return Vector3<double>{static_cast<double>(at[0]), static_cast<double>(at[robot_.stride]),
+                             static_cast<double>(at[std::size_t{2} * robot_.stride])};
+    };
+    const Vector3<double> place = vector_at(lines_.pose, slot::x) + Vector3<double>{c.origin_m[0], c.origin_m[1], c.origin_m[2]};
+    if (place.z > highest_m) {
+      for (std::size_t n = 0; touches != 0 && n < count; ++n) arrays_.grips[first + n].lift();
+      touches = 0;
+      return;
+    }
+    const VoxelCoefficients<double>& ground = arrays_.grounds[c.grounds + index(robot_.voxel_class, voxel) / 2];
+    const Vector3<double> axis = vector_at(lines_.pose, slot::qx);
+    const Quaternion<double> orientation{static_cast<double>(lines_.pose[robot_.stride * std::size_t{slot::qw} + voxel]), axis.x,
+                                         axis.y, axis.z};
+    const FootBody body{place, ground.inverse_mass * vector_at(lines_.motion, slot::px),
+                        ground.inverse_inertia * vector_at(lines_.motion, slot::hx), matrix(orientation)};
+    std::array<double, 3> half_lengths_m{};
+    for (std::size_t k = 0; k < 3; ++k)
+      half_lengths_m[k] = response(index(c.voxel_halves, robot_.stride * k + voxel)).half_length_m;
+    const FeetState state = press_feet(
+        count, [&](std::size_t n) -> const DeviceFoot& { return arrays_.feet[first + n]; },
+        [&](std::size_t n) -> FootGrip& { return arrays_.grips[first + n]; }, body, ground.floor, half_lengths_m, reach,
+        [&](std::int32_t number, std::uint32_t) {
+          const WallResponse& wall = response(static_cast<std::size_t>(number));
+          return WallBulge{wall.bulge_m, wall.bulge_peak_m};
+        });
+    touches = (state.touches ? touches_ground : 0U) | (state.sticks ? sticks_to_ground : 0U);
+    const Vector3<double> force = state.pressing.force + state.friction.force;
+    const Vector3<double> moment = state.pressing.moment + state.friction.moment;
+    add_load(voxel, AxisOrder{{0, 1, 2}}, {static_cast<Real>(force.x), static_cast<Real>(force.y), static_cast<Real>(force.z)},
+             {static_cast<Real>(moment.x), static_cast<Real>(moment.y), static_cast<Real>(moment.z)});
+  }
+
+  /// A beam as LateralCoupling sees it.
+  struct CoupledBeam {
+    Vector3<Real> direction;  ///< from the lower to the upper end
+    Real extension;           ///< m
+    Real root;                ///< of its spring stiffness
+  };
+
+  MENGER_HOST_DEVICE CoupledBeam coupled_beam(std::size_t beam, std::size_t lower, std::size_t upper) const {
+    using std::sqrt;
+    CoupledBeam coupled;
+    coupled.direction = place(upper) - place(lower);
+    const Real length = sqrt(dot(coupled.direction, coupled.direction));
+    const auto share = [length](Real component) { return length > Real(0) ? component / length : Real(0); };
+    coupled.direction = {share(coupled.direction.x), share(coupled.direction.y), share(coupled.direction.z)};
+    Real rest_length = Real(0.5) * (size_of(lower) + size_of(upper));
+    if constexpr (Calibrated) rest_length = own_length(beam).length;
+    if (robot_.single_precision_rest_lengths) rest_length = rounded_to_single(rest_length);
+    coupled.root = sqrt(arrays_.constants[robot_.axial + beam] / rest_length);
+    coupled.extension = length - rest_length;
+    return coupled;
+  }
+
+  /// Calls a function for every beam along an axis, in the order of add_beam_loads: for the upper end of the beam of every
+  /// thread, and then for its lower end.
+  /// @param at_end (end, CoupledBeam, lower, upper) -> void
+  template <class AtEnd>
+  MENGER_HOST_DEVICE void visit_coupled(std::uint32_t axis, const AtEnd& at_end) const {
+    const std::size_t end = robot_.beam_begin[axis + 1];
+    for (std::size_t first = robot_.beam_begin[axis]; first < end; first += thread_.count()) {
+      const std::size_t beam = first + thread_.index();
+      CoupledBeam coupled{};
+      std::size_t lower = 0;
+      std::size_t upper = 0;
+      if (beam < end) {
+        lower = index(robot_.lower, beam);
+        upper = index(robot_.upper, beam);
+        coupled = coupled_beam(beam, lower, upper);
+        at_end(true, coupled, lower, upper);
+      }
+      thread_.wait();
+      if (beam < end) at_end(false, coupled, lower, upper);
+    }
+    thread_.wait();
+  }
+
+  /// Adds the tensions of the lateral coupling, as LateralCoupling does.
+  MENGER_HOST_DEVICE void add_coupling_loads() const {
+    Real* const sums = arrays_.loads + robot_.coupling_sums;
+    const auto sum = [&](std::size_t axis, std::size_t voxel) -> Real& { return sums[robot_.stride * axis + voxel]; };
+    for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count())
+      for (std::size_t axis = 0; axis < 3; ++axis) sum(axis, i) = Real(0);
+    thread_.wait();
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      visit_coupled(axis, [&](bool is_upper, const CoupledBeam& beam, std::size_t lower, std::size_t upper) {
+        sum(axis, is_upper ? upper : lower) += Real(0.5) * beam.root * beam.extension;
+      });
+    }
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const std::size_t b = (axis + 1) % 3;
+      const std::size_t c = (axis + 2) % 3;
+      visit_coupled(axis, [&](bool is_upper, const CoupledBeam& beam, std::size_t lower, std::size_t upper) {
+        const Real tension =
+            robot_.half_coupling * beam.root * ((sum(b, lower) + sum(c, lower)) + (sum(b, upper) + sum(c, upper)));
+        const Vector3<Real> force = tension * beam.direction;
+        add(is_upper ? upper : lower, AxisOrder{{0, 1, 2}}, 0, is_upper ? -force : force);
+      });
+    }
+  }
+
   /// Moves the voxels of this thread.
   /// @return false if one is too fast, or not finite
-  MENGER_HOST_DEVICE bool move_voxels(const StepDrive& drive) {
+  MENGER_HOST_DEVICE bool move_voxels(const DriveMoment& drive) {
     using std::sqrt;
-    StepConstants<Real> constants = robot_;
+    StepConstants<Real> constants = static_cast<const StepConstants<Real>&>(robot_);
     constants.next_sine = static_cast<Real>(drive.sine);
     constants.next_cosine = static_cast<Real>(drive.cosine);
     bool is_slow = true;
@@ -224,13 +444,11 @@ class RobotStepper {
       } else {
         put_step<Real>(step, pose, motion, nullptr);
       }
-      const Real* parts = arrays_.constants + robot_.size_parts + i;
-      const Real base = parts[0], sine_part = parts[robot_.stride], cosine_part = parts[std::size_t{2} * robot_.stride];
-      if (robot_.size_drive == SizeDrive::sine) {
-        put_size(constants, base, sine_part, cosine_part, pose, motion);
+      if constexpr (Calibrated) {
+        pose.value[slot::size] = static_cast<Real>(
+            2.0 * response(index(robot_.calibrated.voxel_halves, robot_.stride * std::size_t{2} + i)).half_length_m);
       } else {
-        put_shaped_size<Real>(drive.sine, drive.cosine, drive.sine_rate, drive.cosine_rate, base, sine_part, cosine_part,
-                              pose.value[slot::size], motion.value[slot::size_rate]);
+        set_size(constants, drive, i, pose, motion);
       }
       store(lines_.pose, i, pose);
       store(lines_.motion, i, motion);
@@ -241,6 +459,19 @@ class RobotStepper {
     }
     path_m_ += sqrt(largest2);
     return is_slow;
+  }
+
+  /// Sets the size of a solid voxel to the drive at the end of the step.
+  MENGER_HOST_DEVICE void set_size(const StepConstants<Real>& constants, const DriveMoment& drive, std::size_t voxel,
+                                   Lines<Real>& pose, Lines<Real>& motion) const {
+    const Real* parts = arrays_.constants + robot_.size_parts + voxel;
+    const Real base = parts[0], sine_part = parts[robot_.stride], cosine_part = parts[std::size_t{2} * robot_.stride];
+    if (robot_.size_drive == SizeDrive::sine) {
+      put_size(constants, base, sine_part, cosine_part, pose, motion);
+    } else {
+      put_shaped_size<Real>(drive.sine, drive.cosine, drive.sine_rate, drive.cosine_rate, base, sine_part, cosine_part,
+                            pose.value[slot::size], motion.value[slot::size_rate]);
+    }
   }
 
   MENGER_HOST_DEVICE Vector3<Real> place(std::size_t voxel) const {
@@ -335,6 +566,8 @@ class RobotStepper {
   const RobotData<Real>& robot_;
   const BatchArrays<Real>& arrays_;
   SharedLines<Real> lines_;
+  Real smallest_strain_ = Real(0), largest_strain_ = Real(0);  ///< of the beams of this thread
+  bool is_valid_ = true;                                       ///< these strains are in the range of validity
   Real path_m_ = Real(0);  ///< bound on how far the voxels of this thread have moved since the partners were listed
 };
 

@@ -88,6 +88,9 @@ class EngineOf : public Engine {
   [[nodiscard]] MovingBody<Real>& moving_body() { return moving_; }
   [[nodiscard]] const MovingBody<Real>& moving_body() const { return moving_; }
 
+  /// Returns the feet of a calibrated body on a floor; null for others.
+  [[nodiscard]] FootContact<Real>* feet() { return feet_.get(); }
+
   [[nodiscard]] const KernelOptions& options() const { return options_; }
   [[nodiscard]] InstructionSet instruction_set() const { return set_; }  ///< of its kernels
 

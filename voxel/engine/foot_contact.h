@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "voxel/engine/foot_press.h"
 #include "voxel/engine/pressure_drive.h"
 #include "voxel/engine/voxel_classes.h"
 #include "voxel/kernels/step_data.h"
@@ -36,11 +38,7 @@ class FootContact {
   /// @param height_m of the ground in the world
   FootContact(const Lattice& lattice, const HollowVoxels& voxels, const BodyClasses& classes, double height_m);
 
-  /// What the ground exerts on a voxel: a force (N) and a moment (N m) about its centre, both along the axes of the world.
-  struct Load {
-    Vector3<double> force{0.0, 0.0, 0.0};
-    Vector3<double> moment{0.0, 0.0, 0.0};
-  };
+  using Load = FootLoad;
 
   /// Adds the loads of all feet to the load lines, for the present positions and velocities.
   /// @param origin_m of the positions
@@ -53,34 +51,24 @@ class FootContact {
   [[nodiscard]] bool touches(std::size_t voxel) const { return states_[voxel].touches; }
   [[nodiscard]] bool sticks(std::size_t voxel) const { return states_[voxel].sticks; }
 
- private:
   struct Foot {
     WallFoot of_wall;
-    bool touches = false;
-    bool slides = false;
-    std::array<double, 2> anchor{};  ///< m, in the world
-
-    void lift() { touches = slides = false; }
+    FootGrip grip;
   };
-  struct State {
-    Load pressing, friction;
-    bool touches = false;
-    bool sticks = false;  ///< all feet that touch stick
-  };
-  /// Position, motion and orientation of a voxel, in the world.
-  struct Body {
-    Vector3<double> place, velocity, spin;
-    Rotation<double> turn;
-  };
+  /// Return what code that computes the contact by itself needs: the height of the ground (m) and the feet of a voxel.
+  [[nodiscard]] double height_m() const { return height_m_; }
+  [[nodiscard]] const std::vector<Foot>& feet(std::size_t voxel) const { return feet_[voxel]; }
 
-  void press(Foot& foot, State& state, const Body& body, const FloorCoefficients<double>& floor,
-             const Vector3<double>& arm) const;
+  /// Takes over the contact of a voxel from such code, but for its loads.
+  /// @param grips of its feet, in their order
+  void take_over(std::size_t voxel, std::span<const FootGrip> grips, bool touches, bool sticks);
 
+ private:
   double height_m_;
   std::vector<VoxelCoefficients<double>> coefficients_;  ///< per class
   std::vector<std::size_t> class_of_;                    ///< per voxel
   std::vector<std::vector<Foot>> feet_;                  ///< per voxel
-  std::vector<State> states_;
+  std::vector<FeetState> states_;
 };
 
 }  // namespace menger::voxel

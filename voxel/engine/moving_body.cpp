@@ -97,7 +97,7 @@ void MovingBody<Real>::begin_step() {
 template <class Real>
 DriveMoment MovingBody<Real>::drive_after(std::uint64_t steps) const {
   const double end_s = static_cast<double>(steps) * body_.time_step_s;
-  if (shaped_) return drive_moment(body_.physics.actuation, end_s);
+  if (shaped_ || pressures_) return drive_moment(body_.physics.actuation, end_s);
   const DriveAngle angle = drive_angle(end_s, body_.physics.actuation.period_s());
   DriveMoment moment;
   moment.sine = angle.sine;
@@ -106,9 +106,13 @@ DriveMoment MovingBody<Real>::drive_after(std::uint64_t steps) const {
 }
 
 template <class Real>
-void MovingBody<Real>::take_over(std::uint64_t count, bool strained, bool too_fast) {
+void MovingBody<Real>::take_over(std::uint64_t count, bool strained, bool too_fast, const StrainRange& strains) {
   record_.steps += count - 1;
-  if (strained) check_strains(true);
+  if (pressures_) {
+    pressures_->widen(strains);
+    pressures_->set(time_s(), state_.data);  // to the rest lengths of the last step
+  }
+  if (strained || pressures_) check_strains(strained);
   // Nobody has added up how far voxels moved: far enough to look at the origin, and to list close pairs anew.
   end_step({too_fast, body_.edge_m * body_.edge_m}, InLines{});
   if (close_pairs_ && !record_.divergence) close_pairs_->make(state_.data.pose);

@@ -68,7 +68,7 @@ class MovingBody {
   /// Whether the sizes of solid voxels are set between the steps, because the drive is not a plain sine.
   [[nodiscard]] bool shaped() const { return shaped_; }
 
-  /// Returns the drive of solid voxels at the end of a step. A plain sine has no rates here; see StepConstants.
+  /// Returns the drive at the end of a step. A plain sine of solid voxels has no rates here; see StepConstants.
   /// @param steps counted from the start, with this one
   [[nodiscard]] DriveMoment drive_after(std::uint64_t steps) const;
 
@@ -76,7 +76,8 @@ class MovingBody {
   /// @param count >= 1
   /// @param strained whether the last step was cut short before voxels moved, because a strain was out of range
   /// @param too_fast whether a voxel was too fast in the last step, or not finite
-  void take_over(std::uint64_t count, bool strained, bool too_fast);
+  /// @param strains of a calibrated body in all of these steps but the last
+  void take_over(std::uint64_t count, bool strained, bool too_fast, const StrainRange& strains);
 
   /// Whether a body whose voxels are on average here, m from the origin, is so far from it that the origin moves along; never in
   /// double. Code that makes steps all by itself asks for it now and then.

@@ -14,20 +14,23 @@ namespace menger::voxel {
 template <class Real>
 PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& voxels, const CalibratedBody& calibrated,
                                    const Actuation& actuation, const std::vector<double>& phases)
-    : parameters_(calibrated.parameters),
-      mean_Pa_(0.5 * (calibrated.pressure_Pa[0] + calibrated.pressure_Pa[1])),
-      amplitude_Pa_(0.5 * (calibrated.pressure_Pa[1] - calibrated.pressure_Pa[0])),
-      actuation_(actuation) {
-  if (actuation.mode == ActuationMode::none) mean_Pa_ = amplitude_Pa_ = 0.0;
+    : parameters_(calibrated.parameters), actuation_(actuation) {
+  tables_.edge_m = parameters_.voxel_edge_m();
+  for (std::size_t c = 0; c < wall_class_count; ++c)
+    tables_.walls[c] = {parameters_.extension[c], parameters_.bulge[c], parameters_.bulge_peak_ratio[c]};
+  if (actuation.mode != ActuationMode::none) {
+    tables_.wave = {.mean_Pa = 0.5 * (calibrated.pressure_Pa[0] + calibrated.pressure_Pa[1]),
+                    .amplitude_Pa = 0.5 * (calibrated.pressure_Pa[1] - calibrated.pressure_Pa[0])};
+  }
   std::map<double, std::size_t> index_of;
   phase_of_.resize(phases.size());
   for (std::size_t i = 0; i < phases.size(); ++i) {
-    const auto [entry, is_new] = index_of.try_emplace(phases[i], phases_.size());
+    const auto [entry, is_new] = index_of.try_emplace(phases[i], tables_.phases.size());
     const double angle = 2.0 * std::numbers::pi * phases[i];
-    if (is_new) phases_.push_back({std::cos(angle), std::sin(angle)});
+    if (is_new) tables_.phases.push_back({std::cos(angle), std::sin(angle)});
     phase_of_[i] = entry->second;
   }
-  responses_.resize(wall_class_count * phases_.size());
+  responses_.resize(wall_class_count * tables_.phases.size());
   const auto response = [&](std::int32_t voxel, std::size_t axis) {
     const auto v = static_cast<std::size_t>(voxel);
     return wall_class_count * phase_of_[v] + voxels.wall_class[v][axis];
@@ -41,7 +44,7 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     const WallOpening& opening = openings_[v][side];
     for (std::size_t c = 0; c < wall_class_count && opening.lifts; ++c) {
       if (opening.lift[c] == 0.0) continue;
-      necks_[axis].push_back(
+      tables_.necks[axis].push_back(
           {.beam = beam,
            .bulge = wall_class_count * phase_of_[v] + c,
            .lift = parameters_.neck_ratio * opening.lift[c],
@@ -51,20 +54,20 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
     for (std::size_t i = 0; i < beams.lower.size(); ++i) {
-      beam_responses_[axis].push_back({response(beams.lower[i], axis), response(beams.upper[i], axis)});
+      tables_.beam_responses[axis].push_back({response(beams.lower[i], axis), response(beams.upper[i], axis)});
       add_necks(axis, i, beams.lower[i], 2 * axis + 1);
       add_necks(axis, i, beams.upper[i], 2 * axis);
     }
   }
-  const auto most = std::ranges::max(beam_responses_, {}, [](const auto& beams) { return beams.size(); }).size();
+  const auto most = std::ranges::max(tables_.beam_responses, {}, [](const auto& beams) { return beams.size(); }).size();
   lengths_m_.resize(most);
   rates_m_s_.resize(most);
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const auto voxel = static_cast<std::int32_t>(i);
-    voxel_responses_.push_back({response(voxel, 0), response(voxel, 1), response(voxel, 2)});
-    bulge_responses_.push_back({bulge_response(i, 0), bulge_response(i, 1), bulge_response(i, 2)});
-    lengths_in_use_.insert(voxel_responses_.back().begin(), voxel_responses_.back().end());
-    bulges_in_use_.insert(bulge_responses_.back().begin(), bulge_responses_.back().end());
+    tables_.voxel_responses.push_back({response(voxel, 0), response(voxel, 1), response(voxel, 2)});
+    tables_.bulge_responses.push_back({bulge_response(i, 0), bulge_response(i, 1), bulge_response(i, 2)});
+    tables_.lengths_in_use.insert(tables_.voxel_responses.back().begin(), tables_.voxel_responses.back().end());
+    tables_.bulges_in_use.insert(tables_.bulge_responses.back().begin(), tables_.bulge_responses.back().end());
     std::array<bool, 6>& bulging = bulging_.emplace_back();
     for (std::size_t side = 0; side < bulging.size(); ++side) bulging[side] = has_free_wall(lattice, voxels, i, side);
   }
@@ -73,46 +76,38 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
 template <class Real>
 void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
   const DriveMoment moment = drive_moment(actuation_, time_s);
-  for (std::size_t k = 0; k < phases_.size(); ++k) {
-    const auto [cosine, sine] = phases_[k];
-    const double pressure = mean_Pa_ * moment.ramp + amplitude_Pa_ * (moment.sine * cosine + moment.cosine * sine);
-    const double rate = mean_Pa_ * moment.ramp_rate + amplitude_Pa_ * (moment.sine_rate * cosine + moment.cosine_rate * sine);
-    for (std::size_t c = 0; c < wall_class_count; ++c) {
-      const double edge = parameters_.voxel_edge_m();
-      const double bulge = parameters_.bulge[c].value(pressure);
-      const double peak = edge * parameters_.bulge_peak_ratio[c];
-      responses_[wall_class_count * k + c] = {.half_length_m = half_length_m(parameters_, c, pressure),
-                                              .half_length_rate_m_s = half_length_rate_m_s(parameters_, c, pressure, rate),
-                                              .bulge_peak_m = peak * bulge,
-                                              .bulge_peak_rate_m_s = peak * parameters_.bulge[c].derivative(pressure) * rate,
-                                              .bulge_m = edge * bulge};
-    }
+  for (std::size_t k = 0; k < tables_.phases.size(); ++k) {
+    const auto [cosine, sine] = tables_.phases[k];
+    const double pressure = tables_.wave.value(moment, cosine, sine);
+    const double rate = tables_.wave.rate(moment, cosine, sine);
+    for (std::size_t c = 0; c < wall_class_count; ++c)
+      responses_[wall_class_count * k + c] = wall_response(tables_.edge_m, tables_.walls[c], pressure, rate);
   }
   largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;
-  for (const std::size_t length : lengths_in_use_)
+  for (const std::size_t length : tables_.lengths_in_use)
     largest_half_length_m_ = std::max(largest_half_length_m_, responses_[length].half_length_m);
-  for (const std::size_t bulge : bulges_in_use_)
+  for (const std::size_t bulge : tables_.bulges_in_use)
     largest_foot_bulge_m_ = std::max(largest_foot_bulge_m_, responses_[bulge].bulge_peak_m);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
-      const Response& lower = responses_[beam_responses_[axis][i][0]];
-      const Response& upper = responses_[beam_responses_[axis][i][1]];
+    for (std::size_t i = 0; i < tables_.beam_responses[axis].size(); ++i) {
+      const WallResponse& lower = responses_[tables_.beam_responses[axis][i][0]];
+      const WallResponse& upper = responses_[tables_.beam_responses[axis][i][1]];
       lengths_m_[i] = lower.half_length_m + upper.half_length_m;
       rates_m_s_[i] = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
     }
-    for (const Neck& neck : necks_[axis]) {
+    for (const LimbNeck& neck : tables_.necks[axis]) {
       lengths_m_[neck.beam] += neck.lift * responses_[neck.bulge].bulge_peak_m;
       rates_m_s_[neck.beam] += neck.lift * responses_[neck.bulge].bulge_peak_rate_m_s;
     }
     if (d.axis[axis].half_kink != nullptr) set_kinks(axis, d.axis[axis]);
-    for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
+    for (std::size_t i = 0; i < tables_.beam_responses[axis].size(); ++i) {
       const auto length = static_cast<Real>(lengths_m_[i]);
       d.axis[axis].rest_length[i] = d.single_precision_rest_lengths ? rounded_to_single(length) : length;
       d.axis[axis].rest_length_rate[i] = static_cast<Real>(rates_m_s_[i]);
     }
   }
-  for (std::size_t i = 0; i < voxel_responses_.size(); ++i) {
-    d.pose[line_size * i + slot::size] = static_cast<Real>(2.0 * responses_[voxel_responses_[i][2]].half_length_m);
+  for (std::size_t i = 0; i < tables_.voxel_responses.size(); ++i) {
+    d.pose[line_size * i + slot::size] = static_cast<Real>(2.0 * responses_[tables_.voxel_responses[i][2]].half_length_m);
   }
 }
 
@@ -120,11 +115,11 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
 template <class Real>
 void PressureDrive<Real>::set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const {
   const double half_per_m = 0.5 / parameters_.voxel_edge_m();
-  for (const Neck& neck : necks_[axis]) {
+  for (const LimbNeck& neck : tables_.necks[axis]) {
     for (std::size_t k = 0; k < 4; ++k) beams.half_kink[k * beams.count + neck.beam] = Real(0);
   }
-  for (const Neck& neck : necks_[axis]) {
-    const Response& wall = responses_[neck.bulge];
+  for (const LimbNeck& neck : tables_.necks[axis]) {
+    const WallResponse& wall = responses_[neck.bulge];
     for (std::size_t k = 0; k < 2; ++k) {
       beams.half_kink[k * beams.count + neck.beam] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_m);
       beams.half_kink[(k + 2) * beams.count + neck.beam] +=
@@ -146,8 +141,8 @@ template <class Real>
 std::array<double, 6> PressureDrive<Real>::reach_m(std::size_t voxel) const {
   std::array<double, 6> reach{};
   for (std::size_t side = 0; side < reach.size(); ++side) {
-    reach[side] = responses_[voxel_responses_[voxel][side / 2]].half_length_m;
-    if (bulging_[voxel][side]) reach[side] += responses_[bulge_responses_[voxel][side / 2]].bulge_m;
+    reach[side] = responses_[tables_.voxel_responses[voxel][side / 2]].half_length_m;
+    if (bulging_[voxel][side]) reach[side] += responses_[tables_.bulge_responses[voxel][side / 2]].bulge_m;
     if (openings_[voxel][side].lifts) reach[side] += lift_m(voxel, side);
   }
   return reach;
@@ -159,7 +154,7 @@ void PressureDrive<Real>::note_strains(const StepData<Real>& d) {
   Real largest = Real(0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const BeamAxisData<Real>& beams = d.axis[axis];
-    for (std::size_t i = 0; i < beam_responses_[axis].size(); ++i) {
+    for (std::size_t i = 0; i < tables_.beam_responses[axis].size(); ++i) {
       const Real strain = beams.history[i] / beams.rest_length[i];
       smallest = strain < smallest ? strain : smallest;
       largest = strain > largest ? strain : largest;

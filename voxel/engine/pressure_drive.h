@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <set>
 #include <vector>
 
+#include "voxel/engine/wall_response.h"
 #include "voxel/kernels/step_data.h"
 #include "voxel/model/actuation.h"
 #include "voxel/model/calibrated_body.h"
@@ -37,12 +39,12 @@ class PressureDrive {
 
   /// Returns the half lengths of a voxel along x, y, z, m.
   [[nodiscard]] std::array<double, 3> half_lengths_m(std::size_t voxel) const {
-    const std::array<std::size_t, 3>& of_axes = voxel_responses_[voxel];
+    const std::array<std::size_t, 3>& of_axes = tables_.voxel_responses[voxel];
     return {responses_[of_axes[0]].half_length_m, responses_[of_axes[1]].half_length_m, responses_[of_axes[2]].half_length_m};
   }
   /// Returns the bulge of the walls of a voxel across an axis.
   [[nodiscard]] WallBulge wall_bulge(std::size_t voxel, std::size_t axis) const {
-    const Response& response = responses_[bulge_responses_[voxel][axis]];
+    const WallResponse& response = responses_[tables_.bulge_responses[voxel][axis]];
     return {.mean = response.bulge_m, .peak = response.bulge_peak_m};
   }
   /// Return the largest half length and the largest bulge of any voxel, m. The bulge is 0 at least.
@@ -52,37 +54,41 @@ class PressureDrive {
   /// Widens the range of strains by the strains of all beams in the last step. Call it before the next set.
   void note_strains(const StepData<Real>& d);
 
+  /// Widens the range of strains by that of steps that other code has made.
+  void widen(const StrainRange& strains) {
+    strains_.smallest = std::min(strains_.smallest, strains.smallest);
+    strains_.largest = std::max(strains_.largest, strains.largest);
+  }
+
   [[nodiscard]] const StrainRange& strains() const { return strains_; }
 
+  /// What decides rest lengths and sizes, for code that computes them by itself. Responses are numbered by phase, then wall
+  /// class.
+  struct Tables {
+    double edge_m = 0.0;
+    PressureWave wave;
+    std::array<WallLaws, wall_class_count> walls;
+    std::vector<std::array<double, 2>> phases;  ///< cos and sin of 2 pi phase, of the phases that occur
+    std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_responses;  ///< per axis and beam, of its two halves
+    std::vector<std::array<std::size_t, 3>> voxel_responses;                ///< per voxel, of its wall classes along x, y, z
+    std::vector<std::array<std::size_t, 3>> bulge_responses;                ///< the same for its bulge classes
+    std::array<std::vector<LimbNeck>, 3> necks;                             ///< per axis, those of a beam one after the other
+    std::set<std::size_t> lengths_in_use, bulges_in_use;
+  };
+  [[nodiscard]] const Tables& tables() const { return tables_; }
+
  private:
-  /// Values of the laws for one phase and wall class.
-  struct Response {
-    double half_length_m, half_length_rate_m_s, bulge_peak_m, bulge_peak_rate_m_s, bulge_m;
-  };
-  /// What the walls of one class add to a beam that leaves a plate, see WallOpening.
-  struct Neck {
-    std::size_t beam, bulge;  ///< bulge: index in responses_
-    double lift;              ///< times the peak of the wall: longer by that
-    AcrossBeam<double> turn;  ///< times the peak of the wall over the voxel edge: turned by that
-  };
   [[nodiscard]] double lift_m(std::size_t voxel, std::size_t side) const;
   void set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const;
 
   SurrogateParameters parameters_;
-  double mean_Pa_, amplitude_Pa_;
+  Tables tables_;
   Actuation actuation_;
-  std::vector<std::array<double, 2>> phases_;  ///< cos and sin of 2 pi phase, of the phases that occur
-  std::vector<Response> responses_;            ///< values of the laws, by phase, then wall class
-  /// Per axis and beam: indices in responses_ of its two halves.
-  std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_responses_;
-  std::vector<std::array<std::size_t, 3>> voxel_responses_;  ///< per voxel: indices for its wall classes along x, y, z
-  std::vector<std::array<std::size_t, 3>> bulge_responses_;  ///< the same for its bulge classes
-  std::vector<std::array<WallOpening, 6>> openings_;         ///< per voxel and side
-  std::array<std::vector<Neck>, 3> necks_;                   ///< per axis, those of a beam one after the other
-  std::vector<std::size_t> phase_of_;                        ///< per voxel: index in phases_
-  std::vector<double> lengths_m_, rates_m_s_;                ///< of the beams of an axis, while they are set
-  std::vector<std::array<bool, 6>> bulging_;                 ///< per voxel: sides with a wall and no voxel behind it
-  std::set<std::size_t> lengths_in_use_, bulges_in_use_;     ///< indices in responses_
+  std::vector<WallResponse> responses_;               ///< values of the laws
+  std::vector<std::array<WallOpening, 6>> openings_;  ///< per voxel and side
+  std::vector<std::size_t> phase_of_;                 ///< per voxel: index in tables_.phases
+  std::vector<double> lengths_m_, rates_m_s_;         ///< of the beams of an axis, while they are set
+  std::vector<std::array<bool, 6>> bulging_;          ///< per voxel: sides with a wall and no voxel behind it
   double largest_half_length_m_ = 0.0;
   double largest_foot_bulge_m_ = 0.0;
   StrainRange strains_;

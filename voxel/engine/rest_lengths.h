@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "voxel/engine/wall_response.h"
 #include "voxel/kernels/step_data.h"
 #include "voxel/laws/lattice.h"
 #include "voxel/model/surrogate_parameters.h"
@@ -12,13 +13,13 @@ namespace menger::voxel {
 
 /// Returns the length (m) of the half beam of a voxel with a wall class along it: (L / 2)(1 + extension(p)).
 inline double half_length_m(const SurrogateParameters& parameters, std::size_t wall_class, double pressure_Pa) {
-  return 0.5 * parameters.voxel_edge_m() * (1.0 + parameters.extension[wall_class].value(pressure_Pa));
+  return half_length_m(parameters.voxel_edge_m(), parameters.extension[wall_class], pressure_Pa);
 }
 
 /// Returns the rate (m/s) of half_length_m at a rate of the pressure (Pa/s).
 inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::size_t wall_class, double pressure_Pa,
                                    double pressure_rate_Pa_s) {
-  return 0.5 * parameters.voxel_edge_m() * parameters.extension[wall_class].derivative(pressure_Pa) * pressure_rate_Pa_s;
+  return half_length_rate_m_s(parameters.voxel_edge_m(), parameters.extension[wall_class], pressure_Pa, pressure_rate_Pa_s);
 }
 
 /// Makes a body thinner where it is stretched (lateral coupling): a stretched beam adds tension to the beams across it.

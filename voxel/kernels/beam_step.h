@@ -80,24 +80,35 @@ struct BeamStep {
   BeamLoads<T> damping;
 };
 
-/// Returns the state of one beam per lane in this step with its loads, and stores the state for the next step.
+/// Returns the damping loads of one beam per lane in this step, in its frame.
 /// @tparam Velocity damping is from velocities, see DampingMode
 /// @tparam Shears as for beam_elastic_loads
 /// @param rate_scale see StepConstants
+/// @param last state of the beam after the last step
 /// @param rates returns the BeamEndRates; called only for damping from velocities
+template <bool Velocity, bool Shears, class T, class Rates>
+MENGER_HOST_DEVICE inline BeamLoads<T> damping_of_beam(const RealOf<T>& rate_scale, const BeamCoefficients<T>& c,
+                                                       const BeamState<T>& state, const BeamHistory<T>& last,
+                                                       const BeamEnds<T>& ends, const Rates& rates) {
+  if constexpr (Velocity) {
+    return beam_damping<Shears>(c, rate_from_velocities(state, ends, rates()));
+  } else {
+    return beam_damping<Shears>(c, rate_from_increments(state, last.deformation, T(rate_scale)));
+  }
+}
+
+/// Returns the state of one beam per lane in this step with its loads, and stores the state for the next step. Parameters are
+/// those of damping_of_beam.
 /// @param history of the beam, history_values numbers or packs, `stride` numbers from one to the next
 template <bool Velocity, bool Shears, class T, class Rates>
-MENGER_HOST_DEVICE inline BeamStep<T> step_of_beam(const T& rate_scale, const BeamCoefficients<T>& c, const BeamEnds<T>& ends,
-                                                   const Rates& rates, RealOf<T>* history, std::size_t stride) {
+MENGER_HOST_DEVICE inline BeamStep<T> step_of_beam(const RealOf<T>& rate_scale, const BeamCoefficients<T>& c,
+                                                   const BeamEnds<T>& ends, const Rates& rates, RealOf<T>* history,
+                                                   std::size_t stride) {
   const BeamHistory<T> last = load_history<T>(history, stride);
   BeamStep<T> step;
   step.state = beam_state(ends, last.small);
   step.elastic = beam_elastic_loads<Shears>(c, step.state.deformation, ends.rest_length);
-  if constexpr (Velocity) {
-    step.damping = beam_damping<Shears>(c, rate_from_velocities(step.state, ends, rates()));
-  } else {
-    step.damping = beam_damping<Shears>(c, rate_from_increments(step.state, last.deformation, rate_scale));
-  }
+  step.damping = damping_of_beam<Velocity, Shears, T>(rate_scale, c, step.state, last, ends, rates);
   store_history<Velocity>(history, stride, step.state);
   return step;
 }

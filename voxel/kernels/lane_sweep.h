@@ -109,9 +109,14 @@ template <bool Velocity, class T, class Rates>
 inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const BeamCoefficients<T>& c, BeamEnds<T> ends,
                                     const Rates& rates, RealOf<T>* remembered, MaskOf<T>& in_range) {
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
-  const BeamStep<T> step = step_of_beam<Velocity, false>(T(d.rate_scale), c, ends, rates, remembered, pack_stride<T>(1));
-  in_range = is_strain_in_range(step.state.deformation, ends.rest_length, T(d.strain_limit));
-  return to_world(step.state.frame, step.elastic + step.damping);
+  // Not by step_of_beam: elastic and damping loads apart from each other need more registers than there are.
+  const BeamHistory<T> history = load_history<T>(remembered, pack_stride<T>(1));
+  const BeamState<T> state = beam_state(ends, history.small);
+  BeamLoads<T> loads = beam_elastic_loads<false>(c, state.deformation, ends.rest_length);
+  loads = loads + damping_of_beam<Velocity, false, T>(d.rate_scale, c, state, history, ends, rates);
+  store_history<Velocity>(remembered, pack_stride<T>(1), state);
+  in_range = is_strain_in_range(state.deformation, ends.rest_length, T(d.strain_limit));
+  return to_world(state.frame, loads);
 }
 
 /// Returns the loads of one beam of every robot.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "voxel/laws/number.h"
+
 namespace menger::voxel {
 
 /// How much a voxel lengthens, or a wall bulges, with the gauge pressure p of its chamber, as a fraction x of the voxel edge:
@@ -21,20 +23,22 @@ struct PressureLaw {
 
   bool operator==(const PressureLaw&) const = default;
 
-  [[nodiscard]] double softening_per_Pa(double pressure_Pa) const {
+  [[nodiscard]] MENGER_HOST_DEVICE double softening_per_Pa(double pressure_Pa) const {
     return pressure_Pa >= 0.0 ? pressure_softening_per_Pa : vacuum_softening_per_Pa;
   }
   /// Whether the law has a value at a pressure: q |p| < 1.
-  [[nodiscard]] bool has_value(double pressure_Pa) const { return softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa) < 1.0; }
+  [[nodiscard]] MENGER_HOST_DEVICE bool has_value(double pressure_Pa) const {
+    return softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa) < 1.0;
+  }
 
   /// Returns x(p). Only where has_value(p).
-  [[nodiscard]] double value(double pressure_Pa) const {
+  [[nodiscard]] MENGER_HOST_DEVICE double value(double pressure_Pa) const {
     const double share = pressure_Pa >= 0.0 ? fading_share : 0.0;
     const double rest = 1.0 - softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa);
     return slope_per_Pa * pressure_Pa * (share / (1.0 + fading_per_Pa * std::abs(pressure_Pa)) + (1.0 - share) / rest);
   }
   /// Returns dx/dp, 1/Pa.
-  [[nodiscard]] double derivative(double pressure_Pa) const {
+  [[nodiscard]] MENGER_HOST_DEVICE double derivative(double pressure_Pa) const {
     const double share = pressure_Pa >= 0.0 ? fading_share : 0.0;
     const double rest = 1.0 - softening_per_Pa(pressure_Pa) * std::abs(pressure_Pa);
     const double fading = 1.0 + fading_per_Pa * std::abs(pressure_Pa);

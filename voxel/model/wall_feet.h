@@ -44,8 +44,9 @@ std::vector<WallFoot> wall_feet(const Lattice& lattice, const HollowVoxels& voxe
 /// Returns how far a foot stands out of the box of its voxel, m. A corner does not stand out, a middle does by the peak of its
 /// wall, a slope by the mean of its wall, and a crown by the mean of the four peaks.
 /// @param bulge_of (voxel, axis) -> WallBulge
-template <class BulgeOf>
-double stands_out_m(const WallFoot& foot, const BulgeOf& bulge_of) {
+/// @param foot a WallFoot, or its like
+template <class Foot, class BulgeOf>
+MENGER_HOST_DEVICE double stands_out_m(const Foot& foot, const BulgeOf& bulge_of) {
   switch (foot.kind) {
     case WallFoot::Kind::corner:
       return 0.0;
@@ -57,15 +58,16 @@ double stands_out_m(const WallFoot& foot, const BulgeOf& bulge_of) {
       break;
   }
   double sum = 0.0;
-  for (const std::size_t voxel : foot.bulging) sum += bulge_of(voxel, foot.axis).peak;
+  for (const auto voxel : foot.bulging) sum += bulge_of(voxel, foot.axis).peak;
   return sum / static_cast<double>(foot.bulging.size());
 }
 
 /// Returns the vector from the centre of a voxel to a foot, m, for a voxel that is not turned.
 /// @param half_lengths_m of the voxel along x, y, z
 /// @param out_m see stands_out_m
-inline Vector3<double> place_of(const WallFoot& foot, const std::array<double, 3>& half_lengths_m, double out_m) {
-  std::array<double, 3> place{};
+template <class Foot>
+MENGER_HOST_DEVICE Vector3<double> place_of(const Foot& foot, const std::array<double, 3>& half_lengths_m, double out_m) {
+  double place[3] = {};
   for (std::size_t k = 0; k < 3; ++k) place[k] = foot.signs[k] * half_lengths_m[k];
   if (foot.kind != WallFoot::Kind::corner) place[foot.axis] += foot.signs[foot.axis] * out_m;
   return {place[0], place[1], place[2]};

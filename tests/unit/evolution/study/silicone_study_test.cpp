@@ -141,7 +141,8 @@ TEST_F(SiliconeStudy, SharesTheValuesOfASurrogate) {
 TEST_F(SiliconeStudy, CommandLineOverridesTheFile) {
   for (const std::string& text : {walking_study_text(), with_parameters}) {
     io::write_whole(folder_ / "study.toml", text);
-    const Study study = read_study(folder_ / "study.toml", {.generations = 7, .levels = {}, .duration_s = 0.125, .seed = 9});
+    const Study study =
+        read_study(folder_ / "study.toml", {.generations = 7, .levels = {}, .duration_s = 0.125, .seed = 9, .device = {}});
     EXPECT_EQ(study.search.generations, 7);
     EXPECT_EQ(study.duration_s, 0.125);
     EXPECT_EQ(study.silicone, read(text).silicone);

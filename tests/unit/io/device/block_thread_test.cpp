@@ -22,7 +22,7 @@ TEST(GraphicsProcessor, IsThereOrItIsSaidWhyNot) {
   EXPECT_EQ(processor.has_value(), obstacle_to_device().empty()) << obstacle_to_device();
   if (processor) {
     EXPECT_GT(processor->multiprocessors, 0);
-    EXPECT_GT(processor->memory_GB, 0.0);
+    EXPECT_GT(processor->memory_bytes, 0.0);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "io/device/graphics_processor.h"
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
+#include "tests/support/surrogate_example.h"
 #include "tests/unit/voxel/lanes/robot_numbers.h"
 #include "voxel/device/robot_runner.h"
 
@@ -223,11 +224,91 @@ TEST(DeviceSteps, FollowRobotsThatWalkFarInSinglePrecision) {
   EXPECT_NEAR(robots.front().centre_of_mass_m()[2], alone.front().centre_of_mass_m()[2], 1e-6);
 }
 
+TEST(DeviceSteps, GiveTheBytesOfTheEngineForLateralCoupling) {
+  for (Physics physics : modes()) {
+    physics.lateral_coupling = 0.3;
+    expect_same_bytes(random_bodies(4), physics, 0.02);
+    physics.integration.single_precision_rest_lengths = true;
+    physics.materials[1].youngs_modulus_Pa = 2e4;
+    expect_same_bytes(random_bodies(2), physics, 0.02);
+  }
+}
+
+/// Hollow cells of which some stand on plates with limbs off their middle.
+std::vector<meshes::Polycube> hollow_bodies() {
+  meshes::Polycube table(3, 3, 2);
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 3; ++y) table.set({x, y, 1}, 1);
+  }
+  table.set({0, 0, 0}, 1);
+  table.set({2, 2, 0}, 1);
+  return {meshes::bar(3), table, meshes::full_cube(2)};
+}
+
+/// Calibrated bodies that are driven hard enough to slide on their feet.
+Physics calibrated(Physics physics) {
+  physics.surrogate = CalibratedBody{.parameters = tests::surrogate_example(), .outside_range = OutsideRange::warn};
+  physics.surrogate->pressure_Pa = {0.0, 3000.0};
+  return physics;
+}
+
+void expect_same_strains(const Physics& physics, double time_s) {
+  expect_same([&] { return simulations_of(hollow_bodies(), physics); }, time_s, Stepper::lone_thread,
+              [](const Simulation& robot, const Simulation& alone) {
+                EXPECT_TRUE(same_bytes(numbers_of(robot), numbers_of(alone)));
+                EXPECT_EQ(robot.strain_range(), alone.strain_range());
+                EXPECT_EQ(divergence_of(robot), divergence_of(alone));
+                EXPECT_EQ(robot.frame().contact, alone.frame().contact);
+              });
+}
+
+TEST(DeviceSteps, GiveTheBytesOfTheEngineForCalibratedBodies) {
+  for (const Physics& mode : modes()) {
+    Physics physics = calibrated(mode);
+    expect_same_strains(physics, 0.06);
+    physics.actuation.ramp_s = 0.02;
+    physics.surrogate->parameters.neck_ratio = 1.5;
+    physics.surrogate->parameters.lateral_coupling = 0.3;
+    expect_same_strains(physics, 0.06);
+    physics.integration.single_precision_rest_lengths = true;
+    physics.floor = false;
+    expect_same_strains(physics, 0.03);
+  }
+}
+
+TEST(DeviceSteps, GiveTheBytesOfTheEngineForPhasesOfChambers) {
+  for (const Physics& mode : modes()) {
+    Physics physics = calibrated(mode);
+    physics.surrogate->chambers = meshes::ChamberLayout::per_phase;
+    physics.collisions.exclusion_depth = 1;
+    expect_same_strains(physics, 0.06);
+  }
+}
+
+TEST(DeviceSteps, SayOfACalibratedBodyThatItLeftTheRangeOfValidity) {
+  for (const Physics& mode : modes()) {
+    Physics physics = calibrated(mode);
+    physics.surrogate->outside_range = OutsideRange::refuse;
+    physics.surrogate->pressure_Pa = {0.0, 2000.0};
+    physics.surrogate->parameters.validity.largest_strain = 1e-3;
+    std::vector<Simulation> robots = simulations_of(hollow_bodies(), physics);
+    std::vector<Simulation> alone = simulations_of(hollow_bodies(), physics);
+    static_cast<void>(advance_on_device_to(robots, 0.1, nullptr, Stepper::lone_thread));
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      EXPECT_EQ(alone[i].advance_to(0.1), io::RunStatus::diverged);
+      EXPECT_EQ(divergence_of(robots[i]), divergence_of(alone[i]));
+      EXPECT_EQ(robots[i].strain_range(), alone[i].strain_range());
+    }
+  }
+}
+
 TEST(DeviceSteps, LeaveToTheProcessorWhatDoesNotRunThere) {
-  Physics coupled;
-  coupled.lateral_coupling = 0.3;
-  const std::vector<meshes::Polycube> bodies = random_bodies(2);
-  expect_same_bytes([&] { return simulations_of(bodies, coupled); }, 0.01, 2);
+  const auto with_every_term = [] {
+    std::vector<Simulation> simulations;
+    simulations.emplace_back(random_bodies(1).front(), 0.01, Physics{}, VoxelLoads{}, KernelOptions{.every_term = true});
+    return simulations;
+  };
+  expect_same_bytes(with_every_term, 0.01, 1);
 }
 
 TEST(DeviceSteps, LeaveCrowdedRobotsToTheProcessor) {
@@ -275,6 +356,25 @@ TEST(GraphicsProcessor, StepsRobotsAsTheEngineDoes) {
     const double allowed_m = physics.integration.number == NumberType::float64 ? 1e-9 : 1e-4;
     double largest_m = 0.0;
     expect_same([&] { return simulations_of(bodies_of_all_sizes(), physics); }, 0.02, Stepper::graphics_processor,
+                [&](const Simulation& robot, const Simulation& alone) {
+                  for (std::size_t i = 0; i < robot.voxel_count(); ++i) {
+                    for (std::size_t k = 0; k < 3; ++k)
+                      largest_m = std::max(largest_m, std::abs(robot.position_m(i)[k] - alone.position_m(i)[k]));
+                  }
+                });
+    std::cout << "  positions differ by " << largest_m << " m at most\n";
+    EXPECT_LT(largest_m, allowed_m);
+  }
+}
+
+TEST(GraphicsProcessor, StepsCalibratedBodiesAsTheEngineDoes) {
+  if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty()) GTEST_SKIP() << obstacle;
+  for (const Physics& mode : modes()) {
+    Physics physics = calibrated(mode);
+    physics.surrogate->parameters.lateral_coupling = 0.3;
+    const double allowed_m = physics.integration.number == NumberType::float64 ? 1e-9 : 1e-4;
+    double largest_m = 0.0;
+    expect_same([&] { return simulations_of(hollow_bodies(), physics); }, 0.05, Stepper::graphics_processor,
                 [&](const Simulation& robot, const Simulation& alone) {
                   for (std::size_t i = 0; i < robot.voxel_count(); ++i) {
                     for (std::size_t k = 0; k < 3; ++k)
