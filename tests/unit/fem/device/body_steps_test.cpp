@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,8 @@ struct Sample {
   double viscosity_Pa_s = 0.0;
   bool has_branch = true;
   double mass_damping_per_s = 0.0;
+
+  friend std::ostream& operator<<(std::ostream& out, const Sample& sample) { return out << sample.name; }
 };
 
 ExplicitBodyOptions body_options(const meshes::HexahedralMesh& mesh, const Sample& sample) {
