@@ -17,7 +17,6 @@ class InlineLaw {
   template <class Number>
   MENGER_HOST_DEVICE explicit InlineLaw(const ThinWallTask<Number>& task)
       : law_(*static_cast<const Law*>(task.law.parameters)), bulk_modulus_Pa_(task.bulk_modulus_Pa) {}
-  MENGER_HOST_DEVICE InlineLaw(const Law& law, double bulk_modulus_Pa) : law_(law), bulk_modulus_Pa_(bulk_modulus_Pa) {}
   template <class T>
   MENGER_HOST_DEVICE MembraneResponse<T> operator()(const PlaneMetric<T>& metric) const {
     return membrane_answer(law_, bulk_modulus_Pa_, metric);
