@@ -267,11 +267,20 @@ void require_device(const Study& study, const Arguments& arguments) {
   throw io::InputError(asked + ": " + obstacle);
 }
 
+/// Returns the threads of a process where none are stated. Walks on a graphics processor each wait in a thread: two for each of
+/// its multiprocessors, so that there is always one that need not wait for this processor.
+int usual_threads(const Study& study, const io::RankSession& ranks) {
+  const auto processor = io::graphics_processor();
+  if (study.device == io::Device::cpu || !uses_elements(study) || !processor) return ranks.usual_threads();
+  return std::max(ranks.usual_threads(), 2 * processor->multiprocessors / ranks.count_on_machine());
+}
+
 /// A search and what evaluates its bodies, on every rank.
 struct Search {
   Search(const Arguments& arguments, const io::RankSession& ranks) : study(read_study(arguments.study, arguments.overrides)) {
     require_device(study, arguments);
-    require_memory(study, arguments.threads, ranks.count_on_machine());
+    threads = arguments.threads > 0 ? arguments.threads : usual_threads(study, ranks);
+    require_memory(study, threads, ranks.count_on_machine());
     evaluators = search_evaluators_of(study);
     half_step = half_step_evaluator_of(study);
     if (ranks.count() == 1 && !is_steady_state(study.search)) return;
@@ -283,14 +292,15 @@ struct Search {
   }
 
   /// Returns what must be the same on all ranks.
-  [[nodiscard]] io::RankFacts facts(const Arguments& arguments, const io::RankSession& ranks) const {
+  [[nodiscard]] io::RankFacts facts(const io::RankSession& ranks) const {
     std::map<std::string, std::string> deciding{{"study", resolved_text(study)}, {"physics", shared.physics()}};
     // Voxels give the same bytes with every instruction set.
     if (uses_elements(study)) deciding["instruction set"] = menger::fem::best_element_kernels().instruction_set;
-    return io::facts_of(ranks, arguments.threads, std::move(deciding));
+    return io::facts_of(ranks, threads, std::move(deciding));
   }
 
   Study study;
+  int threads = 1;  ///< of this process
   SearchEvaluators evaluators;
   std::unique_ptr<DesignEvaluator> half_step;
   std::vector<std::unique_ptr<DesignEvaluator>> confirming;
@@ -298,8 +308,8 @@ struct Search {
 
   /// Evaluates bodies for the first rank, or for this one.
   [[nodiscard]] io::RankWork work() const {
-    return [this](const std::string& task, const std::atomic<bool>& stop, const ThreadsNow& threads) {
-      return shared.evaluate(task, stop, threads);
+    return [this](const std::string& task, const std::atomic<bool>& stop, const ThreadsNow& threads_now) {
+      return shared.evaluate(task, stop, threads_now);
     };
   }
 };
@@ -307,16 +317,15 @@ struct Search {
 /// Evaluates bodies for the first rank until there are no more.
 int evaluate_for_first_rank(const Arguments& arguments, io::RankSession& ranks) {
   std::unique_ptr<Search> search;
-  io::RankFacts facts{.threads = arguments.threads, .machine = io::RankSession::machine(), .error = {}};
+  io::RankFacts facts{.threads = 1, .machine = io::RankSession::machine(), .error = {}};
   try {
     search = std::make_unique<Search>(arguments, ranks);
-    facts = search->facts(arguments, ranks);
+    facts = search->facts(ranks);
   } catch (const std::exception& error) {  // the first rank says it, or has the same
     facts.error = error.what();
   }
   io::answer_roll(ranks, facts);
-  if (search)
-    io::serve_first_rank(ranks, search->work(), {.threads = arguments.threads, .patience_s = arguments.rank_patience_s});
+  if (search) io::serve_first_rank(ranks, search->work(), {.threads = search->threads, .patience_s = arguments.rank_patience_s});
   return search ? io::exit_code::done : io::exit_code::bad_input;
 }
 
@@ -333,11 +342,12 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// Lets the best robots walk on finer elements, and writes the table of what the archive has of such walks beside it.
 /// @param manifest gets the time of walks that were made, and is written then
 /// @return completed or stopped
-io::RunStatus confirm_best(const Arguments& arguments, const Study& study, RunArchive& archive, const Workers* workers,
+io::RunStatus confirm_best(const Arguments& arguments, const Search& search, RunArchive& archive, const Workers* workers,
                            io::Manifest& manifest) {
+  const Study& study = search.study;
   const auto start = Clock::now();
   bool has_walked = false;
-  WalksAgainOptions options{.threads = arguments.threads, .stop = &io::interrupted(), .workers = workers};
+  WalksAgainOptions options{.threads = search.threads, .stop = &io::interrupted(), .workers = workers};
   std::unique_ptr<io::Progress> bar;
   options.progress = [&](std::size_t done, std::size_t total) {
     has_walked = true;
@@ -374,9 +384,9 @@ void set_scenarios(RunArchive& archive, const Study& study, const DesignEvaluato
 }
 
 /// Says on how many threads a search runs.
-std::string shown_threads(const Arguments& arguments, const std::optional<io::RankTeam>& team, const io::RankSession& ranks) {
+std::string shown_threads(int threads, const std::optional<io::RankTeam>& team, const io::RankSession& ranks) {
   if (ranks.count() > 1) return std::to_string(ranks.count()) + " processes with " + std::to_string(team->threads()) + " threads";
-  return std::to_string(arguments.threads) + (arguments.threads == 1 ? " thread" : " threads");
+  return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
 }
 
 /// Returns the order of results that a search is to follow; nothing if it goes its own way.
@@ -403,10 +413,10 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   std::optional<io::RankTeam> team;
   std::optional<RankWorkers> workers;
   if (ranks.count() > 1 || is_steady_state(study.search)) {
-    std::vector<io::RankFacts> facts = io::call_roll(ranks, search.facts(arguments, ranks), arguments.rank_patience_s);
+    std::vector<io::RankFacts> facts = io::call_roll(ranks, search.facts(ranks), arguments.rank_patience_s);
     if (facts.empty()) return io::exit_code::interrupted;
     team.emplace(ranks, search.work(), std::move(facts),
-                 io::TeamOptions{.threads = arguments.threads,
+                 io::TeamOptions{.threads = search.threads,
                                  .patience_s = arguments.rank_patience_s,
                                  .note = [&](const std::string& text) { tell(text); }});
     workers.emplace(*team, search.shared);
@@ -433,7 +443,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   } else {
     std::cout << (last ? "resuming " : "writing ") << arguments.archive.string() << ": up to generation "
               << study.search.generations << (study.budget ? " or the end of the budget" : "") << ", on "
-              << shown_threads(arguments, team, ranks) << "\n";
+              << shown_threads(search.threads, team, ranks) << "\n";
   }
   std::cout << summary_header(run) << std::endl;
   if (last) print_history(run, *last);
@@ -443,7 +453,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     io::remove_if_there(confirmation_file(arguments));  // of an earlier run
     Log log(run, expenses, study.search.generations);
     SearchOptions options;
-    options.threads = arguments.threads;
+    options.threads = search.threads;
     options.workers = others;
     if (workers) options.stream = &*workers;
     options.replayed = std::move(replayed);
@@ -469,7 +479,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     manifest.seconds = seconds_since(start);
     write_manifest(arguments, manifest);
   }
-  if (status == io::RunStatus::completed) status = confirm_best(arguments, study, archive, others, manifest);
+  if (status == io::RunStatus::completed) status = confirm_best(arguments, search, archive, others, manifest);
   if (status == io::RunStatus::stopped) {
     std::cout << "Stopped. " << (is_steady_state(study.search) ? "Robots that ended" : "Finished evaluations")
               << " are kept. Run the same command again to resume." << std::endl;
@@ -483,22 +493,12 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   return has_champion ? io::exit_code::done : io::exit_code::numerical;
 }
 
-/// Returns the threads of a process where none are stated. Walks on a graphics processor each wait in a thread: two for each of
-/// its multiprocessors, so that there is always one that need not wait for this processor.
-int usual_threads(const Arguments& arguments, const io::RankSession& ranks) {
-  const Study study = read_study(arguments.study, arguments.overrides);
-  const auto processor = io::graphics_processor();
-  if (study.device == io::Device::cpu || !uses_elements(study) || !processor) return ranks.usual_threads();
-  return std::max(ranks.usual_threads(), 2 * processor->multiprocessors / ranks.count_on_machine());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   return io::run_rank_program("menger-evolve", [&](io::RankSession& ranks) -> int {
     Arguments arguments;
     if (const auto code = parse(arguments, argc, argv)) return *code;
-    if (arguments.threads == 0) arguments.threads = usual_threads(arguments, ranks);
     return ranks.is_first() ? evolve(arguments, ranks) : evaluate_for_first_rank(arguments, ranks);
   });
 }
