@@ -54,6 +54,8 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
           ->capture_default_str();
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
       ->capture_default_str();
+  app.add_flag("--individuals", arguments.options.individuals,
+               "Write every individual with its body, its fitness and its displacement at each level (individuals.csv)");
   app.add_flag("--timings", arguments.options.timings,
                "Write the wall time of every evaluation (timings.csv), and the estimated wall time of every generation for the "
                "numbers of workers in --workers (schedule.csv)");

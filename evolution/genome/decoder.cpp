@@ -58,7 +58,24 @@ void decode_network(const Genome& genome, std::size_t network, const DecoderOpti
 Phenotype decode(const Genome& genome, const DecoderOptions& options) {
   Phenotype phenotype;
   for (std::size_t network = 0; network < genome.networks.size(); ++network) decode_network(genome, network, options, phenotype);
+  if (options.plan == BodyPlan::nonfractal_two_scales) {
+    phenotype.arrangement_of_arrangements = meshes::Polycube(3, 3, 3);
+    phenotype.arrangement_of_arrangements.set({1, 1, 1}, meshes::Material{1});
+  }
   return phenotype;
+}
+
+int largest_level(BodyPlan plan) {
+  switch (plan) {
+    case BodyPlan::nonfractal:
+      return largest_arranged_level;
+    case BodyPlan::nonfractal_two_scales:
+      return 2;
+    case BodyPlan::fractal:
+    case BodyPlan::single_actuator:
+      break;
+  }
+  return std::numeric_limits<int>::max();
 }
 
 meshes::Polycube aggregate(const Phenotype& phenotype, int level) {

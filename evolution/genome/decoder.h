@@ -24,7 +24,9 @@ struct Phenotype {
   meshes::Polycube body;  ///< the basal body, face-connected
 
   /// Non-fractal plan only: which cells of the level-2 grid hold a basal body, and which cells of the level-3 grid hold a level-2
-  /// aggregate. Both are face-connected and of material 1. For the fractal plans they are grids without cells (0 x 0 x 0).
+  /// aggregate. Both are face-connected and of material 1. For the fractal plans they are grids without cells (0 x 0 x 0). For
+  /// the non-fractal plan of two scales the second one is a cell alone, so that level 3 is level 2 in the middle of an empty
+  /// grid.
   meshes::Polycube arrangement;
   meshes::Polycube arrangement_of_arrangements;
 
@@ -34,8 +36,12 @@ struct Phenotype {
   [[nodiscard]] bool has_arrangements() const { return arrangement.nx() > 0; }
 };
 
-/// The largest level of a body plan with arrangements. Fractal plans have no largest level.
+/// The largest level of a phenotype with arrangements.
 inline constexpr int largest_arranged_level = 3;
+
+/// Returns the largest level at which a body plan has a body of its own; the largest int for fractal plans, which have no such
+/// level.
+int largest_level(BodyPlan plan);
 
 /// Grows the phenotype of a genome. A cell is occupied where the first output of its network is > 0. Its material is 2 where the
 /// second output is > 0, and 1 elsewhere. Only the largest face-connected component is kept, whatever the materials in it. An

@@ -18,6 +18,8 @@ std::string_view to_string(BodyPlan plan) {
       return "fractal";
     case BodyPlan::nonfractal:
       return "nonfractal";
+    case BodyPlan::nonfractal_two_scales:
+      return "nonfractal-two-scales";
     case BodyPlan::single_actuator:
       return "single-actuator";
   }
@@ -30,6 +32,8 @@ std::vector<NetworkPlan> networks_of(BodyPlan plan) {
       return {{2, Activation::sigmoid}};
     case BodyPlan::nonfractal:
       return {{2, Activation::sigmoid}, {1, Activation::identity}, {1, Activation::identity}};
+    case BodyPlan::nonfractal_two_scales:
+      return {{2, Activation::sigmoid}, {1, Activation::identity}};
     case BodyPlan::single_actuator:
       return {{1, Activation::identity}};
   }

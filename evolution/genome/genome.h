@@ -16,9 +16,11 @@ enum class BodyPlan {
   fractal,  ///< one network (shape, material): a basal body that is its own pattern of aggregation
   /// Three networks: a basal body (shape, material), the arrangement of basal bodies, and the arrangement of those arrangements.
   nonfractal,
+  /// Two networks: as nonfractal, but without the arrangement of arrangements, for searches at levels 1 and 2.
+  nonfractal_two_scales,
   single_actuator  ///< one network (shape): a fractal of material 1 only
 };
-std::string_view to_string(BodyPlan plan);  ///< "fractal", "nonfractal" or "single-actuator"
+std::string_view to_string(BodyPlan plan);  ///< "fractal", "nonfractal", "nonfractal-two-scales" or "single-actuator"
 
 /// The outputs of one network of a body plan.
 struct NetworkPlan {

@@ -13,6 +13,7 @@
 #include "evolution/report/cost_table.h"
 #include "evolution/report/evaluated_tasks.h"
 #include "evolution/report/fall_table.h"
+#include "evolution/report/individual_table.h"
 #include "evolution/report/niche_table.h"
 #include "evolution/report/scenario_table.h"
 #include "evolution/report/step_check_table.h"
@@ -75,7 +76,7 @@ class Exporter {
     io::require_writable_folder(folder_);
     if (options_.begins) options_.begins();
     for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
-                             "confirmed.csv", "falls.csv", "niches.csv", "periods.csv", "champion_walk.toml"})
+                             "confirmed.csv", "falls.csv", "individuals.csv", "niches.csv", "periods.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     for (const auto& [name, table] : tables_) table.write(folder_ / name);
     if (result_.champion) write_champion();
@@ -98,6 +99,7 @@ class Exporter {
     if (study_.search.map_elites) add("niches.csv", niche_table(run_));
     if (study_.robust) add("scenarios.csv", scenario_table(run_, study_));
     if (tells_falls(study_)) add("falls.csv", fall_table(run_));
+    if (options_.individuals) add("individuals.csv", individual_table(run_));
     if (options_.timings) {
       add("timings.csv", timing_table(run_));
       add("schedule.csv", schedule_table(run_, options_.workers));
@@ -118,8 +120,10 @@ class Exporter {
     if (uses_elements(study_)) return;
     for (const int level : options_.levels) {
       const std::string name = "level " + std::to_string(level);
-      if (arranged() && level > largest_arranged_level) {
-        throw io::InputError(name + ": the highest level of a nonfractal body is " + std::to_string(largest_arranged_level));
+      const BodyPlan plan = study_.search.offspring.decoder.plan;
+      if (level > largest_level(plan)) {
+        throw io::InputError(name + ": the highest level of a " + std::string(to_string(plan)) + " body is " +
+                             std::to_string(largest_level(plan)));
       }
       // Bodies with arrangements fit into any memory up to their largest level.
       if (!arranged() && voxel::estimated_memory_bytes(champion().phenotype.body, level) > voxel::machine_memory_bytes()) {

@@ -19,6 +19,7 @@ struct ExportOptions {
   double record_interval_s = 0.02;   ///< > 0; limited to the duration
   bool frames = true;                ///< VTK
   bool pictures = true;              ///< PNG
+  bool individuals = false;          ///< individuals.csv
   bool timings = false;              ///< timings.csv and schedule.csv, whose content depends on how fast the machine was
   std::vector<std::size_t> workers{2, 8, 64};  ///< of schedule.csv, each >= 1
   const std::atomic<bool>* stop = nullptr;
@@ -53,6 +54,7 @@ struct ExportResult {
 /// - level_<n>/ with scene.toml and the files of voxel::run_scene, and champion.png with all levels side by side;
 /// - of a search on finite elements instead: level_1/ with the files of fem::run_locomotion, and champion_walk.toml, a study of
 ///   menger locomote for the same walk;
+/// - with ExportOptions::individuals, individuals.csv (individual_table);
 /// - with ExportOptions::timings, timings.csv and schedule.csv (timing_table, schedule_table).
 ///
 /// Everything except the manifest, pictures and timings depends on the content of the archive alone.

@@ -56,10 +56,12 @@ void describe_population(io::StudyVisitor& visitor, Part part, SearchPlan& plan)
 void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
   VariationOptions& variation = options.variation;
   ExpressionOptions& expression = options.decoder.expression;
-  visitor.word({"encoding",
-                "Kind of body: fractal (the same arrangement at every level), nonfractal (arrangements evolved for each level), "
-                "single-actuator (fractal of one material)."},
-               options.decoder.plan, io::words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator));
+  visitor.word(
+      {"encoding",
+       "Kind of body: fractal (the same arrangement at every level), nonfractal (arrangements evolved for each level), "
+       "nonfractal-two-scales (the same without an arrangement for level 3), single-actuator (fractal of one material)."},
+      options.decoder.plan,
+      io::words_of(BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::nonfractal_two_scales, BodyPlan::single_actuator));
   visitor.word({"activations", "Activation functions that nodes may have."}, variation.activations,
                io::words_of(ActivationSet::paper, ActivationSet::released_code));
   visitor.word({"output_function", "Whether the functions of outputs may be mutated."}, variation.output_function,
@@ -87,8 +89,9 @@ void describe_body(io::StudyVisitor& visitor, bool is_calibrated, Study& study) 
   visitor.check(is_ascending, "levels", "must ascend");
   visitor.integer({"smallest_body_cells", "Least number of cells of a basal body."}, constraints.smallest_body,
                   io::within(1, basal_cell_count));
-  visitor.integer({"smallest_arranged_body_cells", "Least number of cells of a nonfractal body at level 3."},
-                  constraints.smallest_arranged_body, io::within(1, 19683));
+  visitor.integer(
+      {"smallest_arranged_body_cells", "Least number of cells of a nonfractal body at level 3, or at level 2 with two scales."},
+      constraints.smallest_arranged_body, io::within(1, 19683));
   visitor.word({"disconnected", "What happens to bodies that fall apart."}, constraints.disconnected,
                io::words_of(DisconnectedPolicy::reject, DisconnectedPolicy::penalise, DisconnectedPolicy::allow));
   visitor.boolean({"castable",
@@ -391,8 +394,9 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
     throw io::InputError(table.file().string() + ": time.measure_from_s = " + io::number_text(study.measure_from_s) +
                          ": must be less than duration_s = " + io::number_text(study.duration_s));
   }
-  if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > largest_arranged_level) {
-    throw fault("the highest level of a nonfractal body is " + std::to_string(largest_arranged_level));
+  if (const int largest = largest_level(plan.offspring.decoder.plan); plan.levels().back() > largest) {
+    throw fault("the highest level of a " + std::string(to_string(plan.offspring.decoder.plan)) + " body is " +
+                std::to_string(largest));
   }
   if (const std::size_t needed = estimated_memory_bytes(study, 1); needed > memory_bytes) {
     throw fault("one evaluation may need about " + gibibytes(needed) + " of memory, this machine has " + gibibytes(memory_bytes));
@@ -420,8 +424,9 @@ std::string undrivable_modules(const Study& study) {
   }
   if (plan.offspring.constraints.disconnected == DisconnectedPolicy::allow)
     return "body.disconnected = \"allow\": a body in pieces has no chambers that could be driven together";
-  if (plan.offspring.decoder.plan == BodyPlan::nonfractal && plan.levels().back() > 1)
-    return "genome.encoding = \"nonfractal\": only a fractal has modules that are hollow bodies of one kind";
+  if (largest_level(plan.offspring.decoder.plan) <= largest_arranged_level && plan.levels().back() > 1)
+    return "genome.encoding = \"" + std::string(to_string(plan.offspring.decoder.plan)) +
+           "\": only a fractal has modules that are hollow bodies of one kind";
   return "";
 }
 

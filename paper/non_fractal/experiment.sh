@@ -1,6 +1,13 @@
 # Does a body walk as well if its larger scales are evolved apart from it? The paper's control.
-part trial "about a day of two cores" "a trial: 325 generations at three scales"
+for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+  part "two_scales_$seed" "40 min of two cores" "a trial at the scales of 3 and 9 cells"
+done
+part_on_request three_scales "about a day of two cores" "a trial: 325 generations at three scales"
 part_on_request small "10 s" "three generations of small bodies"
 
-trial() { search study; }
+for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+  # Another seed than that of a fractal: with the same one, both would begin with the same basal bodies.
+  eval "two_scales_$seed() { seeded two_scales $((1000 + seed)); }"
+done
+three_scales() { search study; }
 small() { search small; }

@@ -195,7 +195,9 @@ TEST_F(Export, TellsWhatEvaluationsTookOnRequest) {
   evolve("run.sqlite");
   ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "out/timings.csv"));
-  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1", "--timings", "--workers", "1", "3"}).code, 0);
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1", "--individuals", "--timings", "--workers", "1", "3"}).code, 0);
+  const io::CsvContents individuals = io::read_csv(folder_ / "out/individuals.csv");
+  EXPECT_EQ(individuals.text(0, "level_1_status"), "completed");
   const io::CsvContents timings = io::read_csv(folder_ / "out/timings.csv");
   const std::vector<double> evaluations = io::read_csv(folder_ / "out/generations.csv").numbers("evaluations");
   EXPECT_EQ(static_cast<double>(timings.row_count()), std::accumulate(evaluations.begin(), evaluations.end(), 0.0));
@@ -203,7 +205,7 @@ TEST_F(Export, TellsWhatEvaluationsTookOnRequest) {
   EXPECT_EQ(io::read_csv(folder_ / "out/schedule.csv").row_count(), 2U * evaluations.size());
   EXPECT_EQ(export_run("run.sqlite", "out", {"--workers", "0"}).code, 2);
   ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
-  for (const char* name : {"timings.csv", "schedule.csv"})
+  for (const char* name : {"individuals.csv", "timings.csv", "schedule.csv"})
     EXPECT_FALSE(fs::exists(folder_ / "out" / name)) << "tables of an earlier export would stand beside newer ones";
 }
 

@@ -93,9 +93,22 @@ TEST(Decoder, ArraysAreConnectedAndArrangementsOfMaterialOne) {
   }
 }
 
+TEST(Decoder, TwoScalesHaveNoThird) {
+  RandomStream random(4, "two scales");
+  constexpr BodyPlan plan = BodyPlan::nonfractal_two_scales;
+  EXPECT_EQ(largest_level(plan), 2);
+  EXPECT_EQ(largest_level(BodyPlan::nonfractal), 3);
+  EXPECT_GT(largest_level(BodyPlan::fractal), 100);
+  for (int sample = 0; sample < 100; ++sample) {
+    const Phenotype phenotype = decode(random_genome(plan, {}, random), {plan, {}});
+    EXPECT_EQ(aggregate_cell_count(phenotype, 3), aggregate_cell_count(phenotype, 2));
+    EXPECT_EQ(aggregate_cell_count(phenotype, 2), phenotype.arrangement.count() * phenotype.body.count());
+  }
+}
+
 TEST(Decoder, KeysTellPhenotypesApartAndReadBack) {
   RandomStream random(3, "keys");
-  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal}) {
+  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::nonfractal_two_scales}) {
     for (int sample = 0; sample < 100; ++sample) {
       const Phenotype a = decode(random_genome(plan, {}, random), {plan, {}});
       const Phenotype b = decode(random_genome(plan, {}, random), {plan, {}});

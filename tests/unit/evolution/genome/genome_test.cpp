@@ -9,7 +9,8 @@
 namespace menger::evolution {
 namespace {
 
-constexpr BodyPlan plans[] = {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator};
+constexpr BodyPlan plans[] = {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::nonfractal_two_scales,
+                              BodyPlan::single_actuator};
 
 TEST(Genome, HasTheNetworksOfItsPlan) {
   RandomStream random(1, "genome");
@@ -20,6 +21,7 @@ TEST(Genome, HasTheNetworksOfItsPlan) {
   }
   EXPECT_EQ(networks_of(BodyPlan::fractal).size(), 1U);
   EXPECT_EQ(networks_of(BodyPlan::nonfractal).size(), 3U);
+  EXPECT_EQ(networks_of(BodyPlan::nonfractal_two_scales).size(), 2U);
 }
 
 TEST(Genome, SingleOutputsHandOnTheirPlainSum) {
@@ -52,6 +54,7 @@ TEST(Genome, RefusesTextsThatAreNoGenome) {
 TEST(Genome, PlansHaveOneWordEach) {
   EXPECT_EQ(to_string(BodyPlan::fractal), "fractal");
   EXPECT_EQ(to_string(BodyPlan::nonfractal), "nonfractal");
+  EXPECT_EQ(to_string(BodyPlan::nonfractal_two_scales), "nonfractal-two-scales");
   EXPECT_EQ(to_string(BodyPlan::single_actuator), "single-actuator");
 }
 

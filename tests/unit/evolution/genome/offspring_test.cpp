@@ -19,7 +19,8 @@ OffspringOptions released_options(BodyPlan plan) {
 }
 
 TEST(Offspring, RandomOnesAreValidAndDecodeToTheirPhenotype) {
-  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
+  for (const BodyPlan plan :
+       {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::nonfractal_two_scales, BodyPlan::single_actuator}) {
     RandomStream random(1, "births");
     for (const auto policy : {DisconnectedPolicy::reject, DisconnectedPolicy::allow}) {
       OffspringOptions options = released_options(plan);
@@ -54,7 +55,8 @@ TEST(Offspring, ConstraintsThatCannotBeMetAreAnErrorNotAnEndlessLoop) {
 }
 
 TEST(Offspring, ChildrenAreValidAndDifferFromTheirParentUnlessEveryTryFailed) {
-  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::single_actuator}) {
+  for (const BodyPlan plan :
+       {BodyPlan::fractal, BodyPlan::nonfractal, BodyPlan::nonfractal_two_scales, BodyPlan::single_actuator}) {
     RandomStream random(4, "children");
     const OffspringOptions options = released_options(plan);
     int equal = 0;

@@ -348,6 +348,21 @@ TEST_F(SearchRun, ArrangedBodiesAreSearchedToo) {
   EXPECT_TRUE(archive.individual(archive.pool(2).front().id).phenotype.has_arrangements());
 }
 
+TEST_F(SearchRun, ArrangedBodiesOfTwoScalesKeepTheirThirdArrayAndAreValidAtTheSecond) {
+  SearchPlan plan = small_plan();
+  plan.offspring.decoder.plan = BodyPlan::nonfractal_two_scales;
+  plan.offspring.constraints.levels = {1, 2};
+  plan.offspring.constraints.smallest_arranged_body = 12;
+  plan.generations = 6;
+  const RunArchive archive = searched(plan);
+  for (std::uint64_t id = 0; id < archive.next_id(); ++id) {
+    const Phenotype phenotype = archive.individual(id).phenotype;
+    EXPECT_EQ(phenotype.arrangement_of_arrangements.digits(), "000000000000010000000000000");
+    EXPECT_GE(aggregate_cell_count(phenotype, 2), 12U);
+    EXPECT_TRUE(aggregate_is_connected(phenotype, 2));
+  }
+}
+
 TEST_F(SearchRun, ReportsEveryGenerationAndItsCounts) {
   SearchPlan plan = small_plan();
   std::vector<int> numbers;

@@ -1,0 +1,244 @@
+#!/usr/bin/python3
+"""What the paper's text and its released code do differently, on one set of robots: their studies, and what follows from their walks.
+
+discrepancies.py names                          prints the variants that need walks of their own
+discrepancies.py study VARIANT OUT.toml         writes the study of a variant
+discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what menger export wrote
+discrepancies.py summary                        makes statistics.csv, conclusions.csv and discrepancies.svg of the variants that there are
+
+Exit codes: 0 done, 2 wrong input.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import sys
+import tomllib
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+import numpy as np  # noqa: E402
+from sample_statistics import bootstrap, rank_correlation, share, spearman  # noqa: E402
+
+ROBOTS = 500
+LEVELS = (1, 2)
+CELL_EDGE_M = 0.01
+TEN = 10  # robots of which the best is chosen
+GROUPS = 2000  # drawn groups of ten
+
+
+class InputError(Exception):
+    pass
+
+
+def read_toml(file):
+    try:
+        with open(file, "rb") as text:
+            return tomllib.load(text)
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{file}: {error}") from error
+
+
+def read_table(file):
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            return list(csv.DictReader(text))
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+
+
+def write_table(file, columns, rows):
+    """Writes a table whole: an end in between leaves the former one."""
+    part = file.with_name(file.name + ".part")
+    with open(part, "w", newline="", encoding="utf-8") as text:
+        out = csv.writer(text, lineterminator="\n")
+        out.writerow(columns)
+        out.writerows(rows)
+    os.replace(part, file)
+
+
+def variants():
+    return read_toml(HERE / "variants.toml")
+
+
+def variant(name):
+    found = variants().get(name)
+    if found is None:
+        raise InputError(f"{HERE / 'variants.toml'}: there is no variant {name}; there are {', '.join(variants())}")
+    return found
+
+
+def study_text(name):
+    """population.toml with the keys of a variant."""
+    study = read_toml(HERE / "population.toml")
+    for table, keys in variant(name).get("keys", {}).items():
+        study.setdefault(table, {}).update(keys)
+    lines = [f"# {variant(name)['label']}: population.toml with what variants.toml says"]
+    lines += [f"{key} = {json.dumps(value)}" for key, value in study.items() if not isinstance(value, dict)]
+    for table, keys in study.items():
+        if isinstance(keys, dict):
+            lines += ["", f"[{table}]"] + [f"{key} = {json.dumps(value)}" for key, value in keys.items()]
+    return "\n".join(lines) + "\n"
+
+
+def first_of_each_body(rows):
+    """The first 500 individuals whose bodies differ."""
+    bodies = {}
+    for row in rows:
+        bodies.setdefault(row["phenotype"], row)
+    chosen = list(bodies.values())[:ROBOTS]
+    if len(chosen) < ROBOTS:
+        raise InputError(f"only {len(chosen)} bodies differ, of {ROBOTS} that are wanted: more survivors in population.toml")
+    return chosen
+
+
+def take(source, name):
+    """A table of where the robots of a variant end."""
+    variant(name)
+    rows = []
+    for row in first_of_each_body(read_table(source)):
+        ends = []
+        for level in LEVELS:
+            cells = (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"])
+            ends += [f"{float(cell):.6g}" if cell else "" for cell in cells]
+        rows.append([row["individual"], row["phenotype"], *ends])
+    (HERE / "walks").mkdir(exist_ok=True)
+    write_table(HERE / "walks" / f"{name}.csv",
+                ["individual", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")], rows)
+
+
+class Walks:
+    """Where the robots of a variant end, in metres, by level; not a number where a walk failed."""
+
+    def __init__(self, name):
+        rows = read_table(HERE / "walks" / f"{variant(name).get('walks_of', name)}.csv")
+        self.bodies = [row["phenotype"] for row in rows]
+        self.ends_m = {level: np.array([[float(row[f"level_{level}_{axis}_m"] or "nan") for axis in ("dx", "dy")] for row in rows])
+                       for level in LEVELS}
+        self.score_of_level = SCORES[variant(name).get("score", "body_lengths")]
+
+    def distances_m(self, level):
+        return np.hypot(*self.ends_m[level].T)
+
+    def body_lengths(self, level):
+        return body_lengths(self.distances_m(level), level)
+
+    def fitness(self):
+        """The least score of all levels; a robot that fails at one ranks last."""
+        scores = np.array([self.score_of_level(self.distances_m(level), level) for level in LEVELS])
+        return np.where(np.isnan(scores).any(axis=0), -1.0, np.min(scores, axis=0))
+
+
+def body_lengths(distance_m, level):
+    return distance_m / (CELL_EDGE_M * 3**level)
+
+
+SCORES = {"body_lengths": body_lengths, "squared_metres": lambda distance_m, level: distance_m**2 / 3**level}
+
+
+def share_with_another_best(first, second):
+    """In how many of the groups of ten robots another one is the best."""
+    draw = np.random.default_rng(1)
+    groups = np.array([draw.choice(len(first), TEN, replace=False) for _ in range(GROUPS)])
+    return float(np.mean(first[groups].argmax(axis=1) != second[groups].argmax(axis=1)))
+
+
+def comparison(text, other):
+    """A variant against the text, over the robots that end their walks in both."""
+    fitness, changed = text.fitness(), other.fitness()
+    ranks = spearman(fitness, changed)
+    row = {"fitness_spearman": ranks.value, "fitness_spearman_low": ranks.low, "fitness_spearman_high": ranks.high}
+    for level in LEVELS:
+        row[f"level_{level}_spearman"] = rank_correlation(text.distances_m(level), other.distances_m(level))
+        shift = np.hypot(*(other.ends_m[level] - text.ends_m[level]).T) / text.distances_m(level)
+        row[f"level_{level}_median_change"] = float(np.nanmedian(shift))
+    best = bootstrap(lambda indices: share_with_another_best(fitness[indices.astype(int)], changed[indices.astype(int)]),
+                     np.arange(len(fitness)))
+    row |= {"another_best_of_ten": best.value, "another_best_of_ten_low": best.low, "another_best_of_ten_high": best.high}
+    top = len(fitness) // 10
+    row["best_tenth_in_common"] = len(set(np.argsort(-fitness)[:top]) & set(np.argsort(-changed)[:top])) / top
+    return row
+
+
+def conclusions(walks):
+    """What of the paper's statements can be seen on robots of chance: which scale is slower, and by how much."""
+    small, large = (walks.body_lengths(level) for level in LEVELS)
+    slower = share(int(np.sum(large < small)), len(small))
+    factor = bootstrap(np.median, large / small)
+    return {"larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
+            "speed_factor": factor.value, "speed_factor_low": factor.low, "speed_factor_high": factor.high,
+            "best_body_lengths": float(np.max(np.minimum(small, large))),
+            "median_body_lengths": float(np.median(np.minimum(small, large)))}
+
+
+def text_of(value):
+    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def summary():
+    there = [name for name, one in variants().items() if (HERE / "walks" / f"{one.get('walks_of', name)}.csv").exists()]
+    if "text" not in there:
+        raise InputError(f"{HERE / 'walks' / 'text.csv'}: is not there: ./run paper discrepancies text")
+    text = Walks("text")
+    compared, concluded = [], []
+    for name in there:
+        walks = Walks(name)
+        if walks.bodies != text.bodies:
+            raise InputError(f"{HERE / 'walks' / name}.csv: has other robots than text.csv")
+        about = {"variant": name, "label": variant(name)["label"], "robots": len(text.bodies)}
+        concluded.append(about | conclusions(walks))
+        if name != "text":
+            compared.append(about | comparison(text, walks))
+    for file, rows in (("statistics.csv", compared), ("conclusions.csv", concluded)):
+        if rows:
+            write_table(HERE / file, list(rows[0]), [[text_of(value) for value in row.values()] for row in rows])
+    if compared:
+        draw(compared)
+
+
+def draw(rows):
+    """Points with intervals: how well ranks agree with the text's, and how often another robot is the best of ten."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    from matplotlib import pyplot
+
+    matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
+    rows = sorted(rows, key=lambda row: row["fitness_spearman"])
+    figure, axes = pyplot.subplots(1, 2, figsize=(9, 0.7 + 0.35 * len(rows)), sharey=True, layout="constrained")
+    places = range(len(rows))
+    for panel, column, title, colour in ((axes[0], "fitness_spearman", "rank correlation of fitness with the text's", "#0072B2"),
+                                         (axes[1], "another_best_of_ten", "share of tens with another best robot", "#D55E00")):
+        values = [row[column] for row in rows]
+        ends = [[value - row[column + "_low"] for value, row in zip(values, rows)], [row[column + "_high"] - value for value, row in zip(values, rows)]]
+        panel.errorbar(values, places, xerr=ends, fmt="o", color=colour, capsize=3)
+        panel.set_xlabel(f"{title}\n(95 % interval, {rows[0]['robots']} robots)")
+        panel.set_xlim(min(0.0, *(row[column + "_low"] for row in rows)) - 0.02, 1.02)
+        panel.grid(axis="x", color="#dddddd")
+    axes[0].set_yticks(places, [row["label"] for row in rows])
+    figure.savefig(HERE / "discrepancies.svg", metadata={"Date": None})
+
+
+def main(arguments):
+    match arguments:
+        case ["names"]:
+            print("\n".join(name for name, one in variants().items() if "walks_of" not in one))
+        case ["study", name, out]:
+            pathlib.Path(out).write_text(study_text(name), encoding="utf-8")
+        case ["take", source, name]:
+            take(pathlib.Path(source), name)
+        case ["summary"]:
+            summary()
+        case _:
+            raise InputError(__doc__)
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except InputError as error:
+        print(f"discrepancies.py: error: {error}", file=sys.stderr)
+        sys.exit(2)

@@ -1,0 +1,84 @@
+"""Statistics of samples with 95 % intervals, by SciPy.
+
+Bootstraps have a fixed seed, so that the same sample gives the same interval.
+"""
+
+import sys
+from dataclasses import dataclass
+
+try:
+    import numpy as np
+    from scipy import stats
+except ImportError as error:
+    sys.exit(f"{error}: statistics of experiments need SciPy: apt-get install python3-scipy")
+
+RESAMPLES = 2000
+SEED = 1
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number and its interval; the ends are None where the sample gives none, as if all its members are equal."""
+
+    value: float
+    low: float | None
+    high: float | None
+
+
+def bootstrap(statistic, *samples, paired=False):
+    """The statistic of one or more samples, with the percentiles of a bootstrap. `paired`: their members are drawn together."""
+    samples = [np.asarray(sample, dtype=float) for sample in samples]
+    value = float(statistic(*samples))
+    if min(len(sample) for sample in samples) < 2:
+        return Estimate(value, None, None)
+    found = stats.bootstrap(samples, statistic, n_resamples=RESAMPLES, vectorized=False, paired=paired, method="percentile",
+                            random_state=np.random.default_rng(SEED)).confidence_interval
+    ends = (float(found.low), float(found.high))
+    return Estimate(value, *ends) if np.all(np.isfinite(ends)) else Estimate(value, None, None)
+
+
+def mean(sample):
+    return bootstrap(np.mean, sample)
+
+
+def median(sample):
+    return bootstrap(np.median, sample)
+
+
+def spearman(x, y):
+    """Spearman's rank correlation of pairs."""
+    return bootstrap(rank_correlation, x, y, paired=True)
+
+
+def rank_correlation(x, y):
+    """Spearman's coefficient; equal values share the mean of their ranks. Not a number if all of one side are equal."""
+    x, y = stats.rankdata(x), stats.rankdata(y)
+    x, y = x - x.mean(), y - y.mean()
+    scale = np.sqrt((x @ x) * (y @ y))
+    return x @ y / scale if scale > 0.0 else np.nan
+
+
+def share(count, of):
+    """A share of independent trials, with Wilson's interval, which holds near 0 and 1, too."""
+    ends = stats.binomtest(count, of).proportion_ci(method="wilson")
+    return Estimate(count / of, float(ends.low), float(ends.high))
+
+
+@dataclass(frozen=True)
+class RankSum:
+    """Wilcoxon's rank-sum test of two samples, also called Mann and Whitney's."""
+
+    p: float  # two-sided: how often equal distributions differ as much
+    larger: Estimate  # how often a member of the first sample is larger than one of the second, ties counted half
+
+
+def rank_sum(first, second):
+    """The exact test up to 25 members on a side if no two are equal, else with the normal distribution, corrected for ties."""
+    tied = len(set(first) | set(second)) < len(first) + len(second)
+    method = "asymptotic" if tied or max(len(first), len(second)) > 25 else "exact"
+    p = float(stats.mannwhitneyu(first, second, alternative="two-sided", method=method).pvalue)
+
+    def larger(a, b):
+        return (np.sign(a[:, None] - b[None, :]) + 1.0).mean() / 2.0
+
+    return RankSum(p, bootstrap(larger, first, second))

@@ -1,0 +1,49 @@
+# Does a robot do at the next scale what it does at one, and for which robots does it?
+part random "20 min of two cores" "robots of chance at three scales"
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+  part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
+done
+part_on_request two_scales "15 min" "the champions of ./run paper fractal at two scales, at the third scale"
+part_on_request three_scales "a minute" "the champion of ./run paper fractal three_scales"
+part summary "1 min" "the tables and the picture of all robots that there are"
+
+# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+robots() { "$study/scale_invariance.py" "$@"; }
+
+random() {
+  menger evolve "$study/random.toml" --output "$results/random.sqlite"
+  menger export "$results/random.sqlite" --output "$results/random" --individuals --levels 1 --no-frames --no-pictures
+  robots random "$results/random/individuals.csv"
+}
+
+# The champion of an archive, simulated at three levels: group, seed, archive.
+champion() {
+  menger export "$3" --output "$results/$1_$2" --levels 1 2 3 --no-frames --no-pictures
+  robots champion "$results/$1_$2" "$1" "$2"
+}
+
+one_scale() {
+  menger evolve "$study/one_scale.toml" --seed "$1" --output "$results/one_scale_$1.sqlite"
+  champion one_scale "$1" "$results/one_scale_$1.sqlite"
+}
+
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+  eval "one_scale_$seed() { one_scale $seed; }"
+done
+
+# Of the searches of the experiment fractal that there are.
+two_scales() {
+  local archive
+  for archive in build/paper/fractal/two_scales_*.sqlite; do
+    [ -e "$archive" ] || { say "scale_invariance: no search yet; make one with ./run paper fractal two_scales_1"; return 0; }
+    champion two_scales "$(sed 's|.*two_scales_\([0-9]*\).sqlite|\1|' <<<"$archive")" "$archive"
+  done
+}
+
+three_scales() {
+  local archive=build/paper/fractal/trial/trial.sqlite
+  [ -e "$archive" ] || { say "scale_invariance: no search yet; make one with ./run paper fractal three_scales"; return 0; }
+  champion three_scales 1 "$archive"
+}
+
+summary() { robots summary; }

@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""Whether robots do at the next scale what they do at one: tables of robots, and what follows from them.
+
+scale_invariance.py random INDIVIDUALS.csv           puts the robots of chance into robots.csv, of what menger export wrote
+scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
+scale_invariance.py summary                          makes statistics.csv, dimension.csv and scale_invariance.svg
+
+A robot carries over from one level to the next if it goes the same way within 45 degrees, and between half and twice as fast in body
+lengths. Exit codes: 0 done, 2 wrong input.
+"""
+
+import csv
+import os
+import pathlib
+import sys
+import tomllib
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+import numpy as np  # noqa: E402
+from sample_statistics import median, share  # noqa: E402
+
+LEVELS = (1, 2, 3)
+CELL_EDGE_M = 0.01
+LARGEST_ANGLE_DEG = 45.0
+LARGEST_FACTOR = 2.0
+RESAMPLES = 2000  # of robots that are paired by chance
+GROUPS = {"random": "robots of chance", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
+          "three_scales": "evolved at three scales"}
+COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
+# Robots of chance at two scales, from another experiment
+AT_TWO_SCALES = HERE.parent / "discrepancies" / "walks" / "text.csv"
+
+
+class InputError(Exception):
+    pass
+
+
+def read_table(file):
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            return list(csv.DictReader(text))
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+
+
+def write_table(file, columns, rows):
+    """Writes a table whole: an end in between leaves the former one."""
+    part = file.with_name(file.name + ".part")
+    with open(part, "w", newline="", encoding="utf-8") as text:
+        out = csv.DictWriter(text, columns, lineterminator="\n")
+        out.writeheader()
+        out.writerows(rows)
+    os.replace(part, file)
+
+
+def robots_but(group, seed):
+    """The rows of robots.csv but those of a search, which are to be made anew."""
+    file = HERE / "robots.csv"
+    rows = read_table(file) if file.exists() else []
+    return [row for row in rows if (row["group"], row["seed"]) != (group, seed)]
+
+
+def cells_of(phenotype):
+    return sum(digit != "0" for digit in phenotype)
+
+
+def row_of(group, seed, robot, phenotype, ends_m):
+    row = {"group": group, "seed": seed, "robot": robot, "cells": cells_of(phenotype), "phenotype": phenotype}
+    for level, end_m in ends_m.items():
+        for axis, value in zip(("dx", "dy"), end_m):
+            row[f"level_{level}_{axis}_m"] = f"{float(value):.6g}"
+    return row
+
+
+def add(rows, group, seed):
+    order = list(GROUPS)
+    everything = robots_but(group, seed) + rows
+    everything.sort(key=lambda row: (order.index(row["group"]), int(row["seed"]), int(row["robot"])))
+    write_table(HERE / "robots.csv", COLUMNS, everything)
+
+
+def add_random(source):
+    """Each body once."""
+    bodies = {}
+    for row in read_table(source):
+        if all(row[f"level_{level}_dx_m"] for level in LEVELS):
+            bodies.setdefault(row["phenotype"], row)
+    rows = [row_of("random", "2", row["individual"], body, {level: (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"]) for level in LEVELS})
+            for body, row in bodies.items()]
+    add(rows, "random", "2")
+
+
+def add_champion(folder, group, seed):
+    if group not in GROUPS:
+        raise InputError(f"{group}: must be one of {', '.join(GROUPS)}")
+    ends_m = {}
+    for level in LEVELS:
+        file = folder / f"level_{level}" / "result.toml"
+        try:
+            result = tomllib.loads(file.read_text(encoding="utf-8"))
+        except (OSError, tomllib.TOMLDecodeError) as error:
+            raise InputError(f"{file}: {error}") from error
+        if "displacement_m" in result:
+            ends_m[level] = result["displacement_m"][:2]
+    last = read_table(folder / "lineage.csv")[-1]
+    add([row_of(group, seed, last["individual"], last["phenotype"], ends_m)], group, seed)
+
+
+def ends(rows, level):
+    return np.array([[float(row.get(f"level_{level}_{axis}_m") or "nan") for axis in ("dx", "dy")] for row in rows])
+
+
+def angle_and_factor(lower_m, upper_m):
+    """Between the ways at two levels, whose body lengths differ threefold: the angle in degrees, and how many times as fast."""
+    turn = np.degrees(np.arctan2(lower_m[:, 0] * upper_m[:, 1] - lower_m[:, 1] * upper_m[:, 0], np.sum(lower_m * upper_m, axis=1)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.abs(turn), np.hypot(*upper_m.T) / np.hypot(*lower_m.T) / 3.0
+
+
+def carries_over(angle_deg, factor):
+    return (angle_deg <= LARGEST_ANGLE_DEG) & (factor >= 1.0 / LARGEST_FACTOR) & (factor <= LARGEST_FACTOR)
+
+
+def by_chance(lower_m, upper_m):
+    """The share that carries over where each robot is compared with another one of its group."""
+    draw = np.random.default_rng(1)
+    shares = [np.mean(carries_over(*angle_and_factor(lower_m, upper_m[draw.permutation(len(upper_m))]))) for _ in range(RESAMPLES)]
+    return float(np.mean(shares))
+
+
+def dimension(row):
+    return float(np.log(cells_of(row["phenotype"])) / np.log(3.0))
+
+
+def groups():
+    """The robots of each group; those of chance at two scales are those of another experiment, and more of them."""
+    every = {group: [row for row in read_table(HERE / "robots.csv") if row["group"] == group] for group in GROUPS}
+    every = {group: rows for group, rows in every.items() if rows}
+    if AT_TWO_SCALES.exists():
+        seen = {row["phenotype"] for row in every.get("random", [])}
+        every["random"] = every.get("random", []) + [row for row in read_table(AT_TWO_SCALES) if row["phenotype"] not in seen]
+    return every
+
+
+def text_of(value):
+    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def statistics_of(group, rows, lower, upper):
+    lower_m, upper_m = ends(rows, lower), ends(rows, upper)
+    there = ~np.isnan(lower_m).any(axis=1) & ~np.isnan(upper_m).any(axis=1)
+    if not there.any():
+        return None
+    lower_m, upper_m = lower_m[there], upper_m[there]
+    angle, factor = angle_and_factor(lower_m, upper_m)
+    carried = share(int(carries_over(angle, factor).sum()), len(angle))
+    same_way = share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
+    speed = median(factor)
+    row = {"group": group, "levels": f"{lower} to {upper}", "robots": len(angle),
+           "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
+           "by_chance": by_chance(lower_m, upper_m) if len(angle) > 5 else None,
+           "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
+           "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+    return {key: text_of(value) for key, value in row.items()}
+
+
+BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))
+
+
+def by_dimension(rows, lower, upper):
+    """The same share for robots of chance of similar Hausdorff dimension."""
+    made = []
+    for low, high in BINS:
+        inside = [row for row in rows if low <= dimension(row) < high]
+        found = statistics_of("random", inside, lower, upper) if inside else None
+        if found:
+            made.append({"dimension_from": f"{low:g}", "dimension_to": f"{min(3.0, high):g}"} | {key: value for key, value in found.items() if key != "group"})
+    return made
+
+
+def summary():
+    every = groups()
+    rows = [found for group, members in every.items() for lower in LEVELS[:-1] if (found := statistics_of(group, members, lower, lower + 1))]
+    if not rows:
+        raise InputError(f"{HERE / 'robots.csv'}: has no robot with two levels")
+    write_table(HERE / "statistics.csv", list(rows[0]), rows)
+    dimensions = by_dimension(every.get("random", []), 1, 2) + by_dimension(every.get("random", []), 2, 3)
+    if dimensions:
+        write_table(HERE / "dimension.csv", list(dimensions[0]), dimensions)
+    draw(every, rows, dimensions)
+
+
+def draw(every, rows, dimensions):
+    """Angle and factor of every robot, and the shares by group and by dimension."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    from matplotlib import pyplot
+
+    matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
+    styles = {"random": ("#999999", ".", 12), "one_scale": ("#E69F00", "s", 26), "two_scales": ("#0072B2", "o", 30), "three_scales": ("#D55E00", "D", 30)}
+    figure, axes = pyplot.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
+    for group, members in every.items():
+        angle, factor = angle_and_factor(ends(members, 1), ends(members, 2))
+        colour, mark, size = styles[group]
+        axes[0].scatter(angle, np.clip(factor, 0.02, 50.0), c=colour, marker=mark, s=size, label=GROUPS[group])
+    axes[0].add_patch(pyplot.Rectangle((0, 1 / LARGEST_FACTOR), LARGEST_ANGLE_DEG, LARGEST_FACTOR - 1 / LARGEST_FACTOR, fill=False, linestyle="--"))
+    axes[0].set(yscale="log", ylim=(0.018, 55), xlim=(0, 180), xticks=range(0, 181, 45), xlabel="angle between ways at 3 and 9 cells (degrees)",
+                ylabel="speed in body lengths, 9 over 3 cells\n(clipped at 1/50 and 50)")
+    axes[0].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.5, -0.16))
+    shown = [(f"{GROUPS[row['group']]}\n{3 ** int(row['levels'][0])} to {3 ** int(row['levels'][-1])} cells (n = {row['robots']})", row) for row in rows]
+    places = range(len(shown))
+    values = [float(row["carried_over"]) for _, row in shown]
+    spans = [[value - float(row["carried_over_low"]) for value, (_, row) in zip(values, shown)],
+             [float(row["carried_over_high"]) - value for value, (_, row) in zip(values, shown)]]
+    axes[1].errorbar(values, places, xerr=spans, fmt="o", color="#0072B2", capsize=3, label="with 95 % interval")
+    chance = [(float(row["by_chance"]), place) for place, (_, row) in enumerate(shown) if row["by_chance"]]
+    axes[1].scatter(*zip(*chance), marker="x", color="#222222", label="robots paired by chance")
+    axes[1].set_yticks(places, [name for name, _ in shown])
+    axes[1].set(xlim=(0, 1), xlabel="share that carries over")
+    axes[1].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.4, -0.16))
+    for levels, colour, mark in (("1 to 2", "#0072B2", "o"), ("2 to 3", "#D55E00", "D")):
+        bins = [row for row in dimensions if row["levels"] == levels]
+        middles = [0.5 * (float(row["dimension_from"]) + float(row["dimension_to"])) for row in bins]
+        heights = [float(row["carried_over"]) for row in bins]
+        spans = [[height - float(row["carried_over_low"]) for height, row in zip(heights, bins)],
+                 [float(row["carried_over_high"]) - height for height, row in zip(heights, bins)]]
+        if bins:
+            first, last = (3 ** int(level) for level in levels.split(" to "))
+            axes[2].errorbar(middles, heights, yerr=spans, fmt=mark, color=colour, capsize=3, label=f"{first} to {last} cells")
+    axes[2].set(ylim=(0, 1), xlim=(1, 3), xlabel="Hausdorff dimension of robots of chance", ylabel="share that carries over")
+    axes[2].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.5, -0.16))
+    for panel in axes:
+        panel.grid(color="#dddddd")
+        panel.set_axisbelow(True)
+    figure.savefig(HERE / "scale_invariance.svg", metadata={"Date": None})
+
+
+def main(arguments):
+    match arguments:
+        case ["random", source]:
+            add_random(pathlib.Path(source))
+        case ["champion", folder, group, seed]:
+            add_champion(pathlib.Path(folder), group, seed)
+        case ["summary"]:
+            summary()
+        case _:
+            raise InputError(__doc__)
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except InputError as error:
+        print(f"scale_invariance.py: error: {error}", file=sys.stderr)
+        sys.exit(2)

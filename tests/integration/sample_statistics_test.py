@@ -1,0 +1,75 @@
+"""Tests paper/sample_statistics.py against examples that are published.
+
+sample_statistics_test.py SOURCES: the folder of the sources. Exit code 77: there is no SciPy.
+"""
+
+import importlib.util
+import pathlib
+import sys
+import unittest
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(SOURCES / "paper"))
+if importlib.util.find_spec("scipy") is None:
+    print("skipped: there is no SciPy (python3-scipy)")
+    sys.exit(77)
+
+import sample_statistics as statistics  # noqa: E402
+
+
+class SampleStatistics(unittest.TestCase):
+    def test_rank_sum_of_membranes(self):
+        # Permeability at term and before: Hollander and Wolfe, Nonparametric Statistical Methods (1973), p. 69: one-sided p = 0.1272.
+        at_term = [0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46]
+        before = [1.15, 0.88, 0.90, 0.74, 1.21]
+        found = statistics.rank_sum(at_term, before)
+        self.assertAlmostEqual(found.p, 2 * 0.1272, delta=1e-4)  # the distribution is symmetric
+        self.assertAlmostEqual(found.larger.value, 35 / 50)  # the statistic W = 35 of 10 times 5 pairs
+        self.assertLess(found.larger.low, 0.7)
+        self.assertGreater(found.larger.high, 0.7)
+
+    def test_rank_sum_of_samples_that_do_not_overlap(self):
+        # All 10 of one side are larger: 2 of the C(25, 10) = 3268760 orders are as extreme.
+        found = statistics.rank_sum(range(100, 110), range(15))
+        self.assertAlmostEqual(found.p, 2 / 3268760, delta=1e-12)
+        self.assertEqual(found.larger.value, 1.0)
+
+    def test_rank_sum_counts_ties_half(self):
+        found = statistics.rank_sum([1, 2, 2], [2, 2, 3])
+        self.assertAlmostEqual(found.larger.value, (0 + 0.5 * 4 + 0) / 9)
+
+    def test_spearman_of_tuna(self):
+        # Hunter's L and panel scores of canned tuna: Hollander and Wolfe (1973), p. 185: the squares of rank differences sum to 48.
+        lightness = [44.4, 45.9, 41.9, 53.3, 44.7, 44.1, 50.7, 45.2, 60.1]
+        score = [2.6, 3.1, 2.5, 5.0, 3.6, 4.0, 5.2, 2.8, 3.8]
+        found = statistics.spearman(lightness, score)
+        self.assertAlmostEqual(found.value, 1 - 6 * 48 / (9 * 80))
+        self.assertLess(found.low, found.value)
+        self.assertGreater(found.high, found.value)
+
+    def test_spearman_of_equal_values_is_none(self):
+        self.assertIsNone(statistics.spearman([1, 1, 1, 1], [1, 2, 3, 4]).low)
+
+    def test_shares_by_wilson(self):
+        # Newcombe, Statistics in Medicine 17 (1998) 857, table I, method 3
+        for count, of, low, high in ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611), (1, 29, 0.0061, 0.1718)):
+            found = statistics.share(count, of)
+            self.assertAlmostEqual(found.low, low, delta=5e-5)
+            self.assertAlmostEqual(found.high, high, delta=5e-5)
+
+    def test_mean_of_mice(self):
+        # Survival of treated mice: Efron and Tibshirani, An Introduction to the Bootstrap (1993), chapter 2: mean 86.86, standard error
+        # of the bootstrap 23.36. The interval of a normal distribution of this width is 41 to 133; that of the bootstrap leans to the
+        # right as the sample does.
+        found = statistics.mean([94, 197, 16, 38, 99, 141, 23])
+        self.assertAlmostEqual(found.value, 86.86, delta=0.005)
+        self.assertAlmostEqual((found.high - found.low) / (2 * 1.96), 23.36, delta=1.2)  # 5 %: 2000 resamples, and not quite normal
+        self.assertEqual(found, statistics.mean([94, 197, 16, 38, 99, 141, 23]), "the same sample gives the same interval")
+
+    def test_one_member_has_no_interval(self):
+        self.assertEqual(statistics.mean([3.0]), statistics.Estimate(3.0, None, None))
+
+
+if __name__ == "__main__":
+    unittest.main()
