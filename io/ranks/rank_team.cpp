@@ -17,10 +17,13 @@ namespace menger::io {
 
 namespace {
 
-/// How long a rank waits before it looks for messages again. Tasks take milliseconds at least.
-constexpr auto short_pause = std::chrono::microseconds(200);
-constexpr auto long_pause = std::chrono::milliseconds(2);  // of one that has had nothing to do for a while
-constexpr double short_s = 1.0;
+/// Returns how long a rank waits before it looks for messages again. A look takes some 25 us of a core that a task could use, and
+/// a message waits for the next look. So the pause grows with the time since the last message or result: of tasks of any length
+/// from some milliseconds on, looks take a few hundredths.
+std::chrono::microseconds pause_after(std::chrono::steady_clock::time_point last) {
+  const auto quiet = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - last);
+  return std::clamp(quiet / 20, std::chrono::microseconds(200), std::chrono::microseconds(10000));
+}
 
 /// The least patience with the first rank, in s: a sign of life comes from it every second.
 constexpr double least_patience_s = 5.0;
@@ -156,6 +159,7 @@ RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>*
     if (done.fault && run.is_open(done.id)) std::rethrow_exception(done.fault);
     if (!done.fault) take(run, 0, done.id, done.result);
   };
+  Clock::time_point busy = Clock::now();
   while (!run.is_over()) {
     if (stop != nullptr && *stop) {
       threads.stop();
@@ -164,35 +168,43 @@ RunStatus RankTeam::run(std::vector<std::string> tasks, const std::atomic<bool>*
       break;
     }
     hand_out(run, threads);
-    bool is_busy = receive(run);
+    bool has_news = receive(run);
     look_for_lost_ranks(run);
-    while (const auto done = threads.take(is_busy ? std::chrono::microseconds(0) : short_pause)) {
+    while (const auto done = threads.take(has_news ? std::chrono::microseconds(0) : pause_after(busy))) {
       take_own(*done);
-      is_busy = true;
+      has_news = true;
     }
+    if (has_news) busy = Clock::now();
   }
   members_.front().tasks.clear();
   return run.is_over() ? RunStatus::completed : RunStatus::stopped;
 }
 
-/// Gives tasks to all that have a free thread, one to each in turn.
+/// Gives tasks to all that have a free thread, one to each in turn. While there are many, other ranks get one more for each
+/// thread, with which they go on while the result of the one before is on its way.
 void RankTeam::hand_out(Run& run, TaskThreads& threads) {
-  bool was_given = true;
-  while (was_given && !run.waiting.empty()) {
-    was_given = false;
-    for (std::size_t rank = 0; rank < members_.size(); ++rank) {
-      Member& member = members_[rank];
-      if (!member.is_present() || static_cast<int>(member.tasks.size()) >= member.facts.threads) continue;
-      const std::optional<std::size_t> task = run.next(member.tasks);
-      if (!task) continue;
-      const std::uint64_t id = run.first_id + *task;
-      next_id_ = std::max(next_id_, id + 1);
-      member.tasks.insert(id);
-      if (rank == 0)
-        threads.begin(id, run.tasks[*task]);
-      else
-        session_.send(static_cast<int>(rank), RankTopic::task, with_id(id, run.tasks[*task]));
-      was_given = true;
+  const auto give = [&](std::size_t rank, int most) {
+    Member& member = members_[rank];
+    if (!member.is_present() || static_cast<int>(member.tasks.size()) >= most) return false;
+    const std::optional<std::size_t> task = run.next(member.tasks);
+    if (!task) return false;
+    const std::uint64_t id = run.first_id + *task;
+    next_id_ = std::max(next_id_, id + 1);
+    member.tasks.insert(id);
+    if (rank == 0)
+      threads.begin(id, run.tasks[*task]);
+    else
+      session_.send(static_cast<int>(rank), RankTopic::task, with_id(id, run.tasks[*task]));
+    return true;
+  };
+  const std::size_t many = 2 * static_cast<std::size_t>(this->threads());
+  for (const bool ahead : {false, true}) {
+    bool was_given = true;
+    while (was_given && run.waiting.size() > (ahead ? many : 0)) {
+      was_given = false;
+      for (std::size_t rank = ahead ? 1 : 0; rank < members_.size(); ++rank)
+        if (run.waiting.size() > (ahead ? many : 0) && give(rank, members_[rank].facts.threads * (ahead ? 2 : 1)))
+          was_given = true;
     }
   }
 }
@@ -323,8 +335,7 @@ void serve_first_rank(RankSession& session, const RankWork& work, const TeamOpti
       session.send(0, RankTopic::alive);
       said = Clock::now();
     }
-    const bool is_idle = seconds_since(busy) > short_s;
-    hand_over(is_idle ? std::chrono::microseconds(long_pause) : short_pause);
+    hand_over(pause_after(busy));
   }
 }
 

@@ -29,7 +29,8 @@ struct TeamOptions {
 /// The ranks of a program that share tasks: bytes whose results are bytes. The first rank has the tasks; it does its share of
 /// them with its own threads.
 ///
-/// A rank has as many tasks at a time as threads, and gets the next one of the list when it returns a result. Of a rank that
+/// A rank has as many tasks at a time as threads, and gets the next one of the list when it returns a result. While the list is
+/// long, ranks but the first have one more for each thread, so that none waits for a message. Of a rank that
 /// gives no sign of life for longer than the patience, the tasks are given to others; if it answers again, it keeps those that no
 /// other rank has begun, and gets further ones. So a task may be done by two ranks at once: the work bears that. The first result
 /// counts, and what is thrown after it does not. Nothing but time is lost with a rank that hangs, or that is gone where MPI lets
