@@ -29,23 +29,21 @@ Exit codes: 0 done, 1 a text is out of date, 2 wrong input.
 
 import argparse
 import csv
-import io
 import math
-import os
 import pathlib
 import re
 import sys
 import tomllib
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+
+from small_tables import InputError, write_table, write_whole  # noqa: E402
 
 BLOCK = re.compile(r"<!-- table: (?P<table>[^\n]*)\n(?P<form>.*?)\n-->\n(?P<lines>(?:(?!<!-- ).)*?)<!-- end -->", re.DOTALL)
 VALUE = re.compile(r"<!-- value: (?P<table>\S+) (?P<form>\{[^}\n]*\}) -->(?P<text>[^\n]*?)<!-- end -->")
 OPENING = re.compile(r"<!-- (table|value): ")
 PLACE = re.compile(r"\{([^{}\n]*)\}")
 CELL = re.compile(r"(?:(?P<row>[^/]+)/)?(?P<column>[^/*\s]+)(?:\*(?P<scale>[0-9.eE+-]+))?(?: (?P<format>\S+))?")
-
-
-class InputError(Exception):
-    pass
 
 
 class Table:
@@ -177,25 +175,6 @@ def fill(tree, files, writes):
             print(f"{file}:{first_difference(before, after)}: is not what its table gives; fill it with: paper/tables.py fill", file=sys.stderr)
             code = 1
     return code
-
-
-def write_whole(file, text):
-    """Writes a file, whole or not at all."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    temporary = file.with_name(f".{file.name}.{os.getpid()}.partial")
-    try:
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(file)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def write_table(file, columns, rows):
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(rows)
-    write_whole(file, text.getvalue())
 
 
 def take(source, file, columns):

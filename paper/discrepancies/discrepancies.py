@@ -9,12 +9,9 @@ discrepancies.py summary                        makes statistics.csv, conclusion
 Exit codes: 0 done, 2 wrong input.
 """
 
-import csv
 import json
-import os
 import pathlib
 import sys
-import tomllib
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -22,42 +19,13 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import bootstrap, rank_correlation, share, spearman  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, write_table, write_whole  # noqa: E402
 
 ROBOTS = 500
 LEVELS = (1, 2)
 CELL_EDGE_M = 0.01
 TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten
-
-
-class InputError(Exception):
-    pass
-
-
-def read_toml(file):
-    try:
-        with open(file, "rb") as text:
-            return tomllib.load(text)
-    except (OSError, tomllib.TOMLDecodeError) as error:
-        raise InputError(f"{file}: {error}") from error
-
-
-def read_table(file):
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            return list(csv.DictReader(text))
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
-
-
-def write_table(file, columns, rows):
-    """Writes a table whole: an end in between leaves the former one."""
-    part = file.with_name(file.name + ".part")
-    with open(part, "w", newline="", encoding="utf-8") as text:
-        out = csv.writer(text, lineterminator="\n")
-        out.writerow(columns)
-        out.writerows(rows)
-    os.replace(part, file)
 
 
 def variants():
@@ -102,10 +70,8 @@ def take(source, name):
     for row in first_of_each_body(read_table(source)):
         ends = []
         for level in LEVELS:
-            cells = (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"])
-            ends += [f"{float(cell):.6g}" if cell else "" for cell in cells]
+            ends += [cell(float(end), 6) if end else "" for end in (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"])]
         rows.append([row["individual"], row["phenotype"], *ends])
-    (HERE / "walks").mkdir(exist_ok=True)
     write_table(HERE / "walks" / f"{name}.csv",
                 ["individual", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")], rows)
 
@@ -174,10 +140,6 @@ def conclusions(walks):
             "median_body_lengths": float(np.median(np.minimum(small, large)))}
 
 
-def text_of(value):
-    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
-
-
 def summary():
     there = [name for name, one in variants().items() if (HERE / "walks" / f"{one.get('walks_of', name)}.csv").exists()]
     if "text" not in there:
@@ -194,7 +156,7 @@ def summary():
             compared.append(about | comparison(text, walks))
     for file, rows in (("statistics.csv", compared), ("conclusions.csv", concluded)):
         if rows:
-            write_table(HERE / file, list(rows[0]), [[text_of(value) for value in row.values()] for row in rows])
+            write_table(HERE / file, list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
     if compared:
         draw(compared)
 
@@ -227,7 +189,7 @@ def main(arguments):
         case ["names"]:
             print("\n".join(name for name, one in variants().items() if "walks_of" not in one))
         case ["study", name, out]:
-            pathlib.Path(out).write_text(study_text(name), encoding="utf-8")
+            write_whole(pathlib.Path(out), study_text(name))
         case ["take", source, name]:
             take(pathlib.Path(source), name)
         case ["summary"]:

@@ -6,8 +6,6 @@ trials.py    reads the tables of trials that there are: two_scales/SEED.csv here
 Exit codes: 0 done, 2 wrong input.
 """
 
-import csv
-import os
 import pathlib
 import sys
 
@@ -17,6 +15,7 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import mean, rank_sum, share  # noqa: E402
+from small_tables import InputError, cell, read_table, write_table  # noqa: E402
 
 ARMS = {"fractal": (HERE / "two_scales", "fractal", "#0072B2", "-"),
         "in_pieces": (HERE / "two_scales_in_pieces", "fractal, aggregates may fall apart", "#56B4E9", "--"),
@@ -26,16 +25,11 @@ DURATION_S = 5.0
 PER_MINUTE = 60.0 / DURATION_S
 
 
-class InputError(Exception):
-    pass
-
-
 class Trial:
     """The champions of a trial, generation by generation."""
 
     def __init__(self, file):
-        with open(file, newline="", encoding="utf-8") as text:
-            self.rows = list(csv.DictReader(text))
+        self.rows = read_table(file)
         if not self.rows:
             raise InputError(f"{file}: has no generation")
         self.seed = int(file.stem)
@@ -51,20 +45,6 @@ def trials_of(folder):
     if len({len(trial.best) for trial in trials}) > 1:
         raise InputError(f"{folder}: its trials have different numbers of generations")
     return trials
-
-
-def text_of(value):
-    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
-
-
-def write_table(file, rows):
-    """Writes a table whole: an end in between leaves the former one."""
-    part = file.with_name(file.name + ".part")
-    with open(part, "w", newline="", encoding="utf-8") as text:
-        out = csv.writer(text, lineterminator="\n")
-        out.writerow(rows[0])
-        out.writerows([text_of(value) for value in row.values()] for row in rows)
-    os.replace(part, file)
 
 
 def champions(arms):
@@ -145,7 +125,7 @@ def main():
         raise InputError(f"{ARMS['fractal'][0]}: has no trial yet: ./run paper fractal two_scales_1")
     for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("comparisons", comparisons(arms))):
         if rows:
-            write_table(HERE / f"{name}.csv", rows)
+            write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
     draw(arms)
 
 

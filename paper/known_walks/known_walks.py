@@ -14,8 +14,10 @@ import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
 from chart_of_walks import draw
+from small_tables import InputError, write_table
 from statistics_of_walks import angle_deg, interval, median, quantile, share_interval, spearman
 
 PERIODS = 15
@@ -27,10 +29,6 @@ MOST_LOSS = 0.03
 ENOUGH = 20  # robots that walked on fine elements; with fewer, all are compared with standard elements
 FEWEST = 5  # robots with a change; with fewer it is left out, so that tables can be made before all walks are done
 DISTANCES_M = (0.0, 0.001, 0.002, 0.005)
-
-
-class InputError(Exception):
-    pass
 
 
 def read_walks(file):
@@ -117,13 +115,6 @@ MEASURES = {
 
 def number(value, digits=6):
     return "" if value is None else f"{value:.{digits}g}"
-
-
-def write_table(file, columns, rows):
-    with open(file, "w", newline="", encoding="utf-8") as text:
-        out = csv.writer(text, lineterminator="\n")
-        out.writerow(columns)
-        out.writerows(rows)
 
 
 class Walks:

@@ -10,15 +10,17 @@ CHANGE is one of those below. Exit codes: 0 done, 2 wrong input.
 """
 
 import copy
-import csv
 import json
 import math
 import pathlib
 import sys
-import tomllib
 
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
 TREE = HERE.parent.parent
+sys.path.insert(0, str(HERE.parent))
+
+from small_tables import InputError, read_table, read_toml, write_table  # noqa: E402
 
 PERIOD_S = 1.0 / 3.0
 LEAST_M = 0.001  # a robot that gets no further in five seconds nearly stands still: nobody asks how well its walk is known
@@ -43,10 +45,6 @@ CHANGES = {
     "fine_same_ground": lambda ground_Pa_per_m: {"elements.fidelity": "fine", "ground.stiffness_Pa_per_m": ground_Pa_per_m},
     "double": {"elements.precision": "double"},
 }
-
-
-class InputError(Exception):
-    pass
 
 
 def toml_value(value):
@@ -76,30 +74,6 @@ def changed(study, change):
     return result
 
 
-def rows_of(file):
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            return list(csv.DictReader(text))
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
-
-
-def toml_of(file):
-    try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, tomllib.TOMLDecodeError) as error:
-        raise InputError(f"{file}: cannot be read: {error}") from error
-
-
-def write_table(file, columns, rows):
-    partial = pathlib.Path(f"{file}.partial")
-    with open(partial, "w", newline="", encoding="utf-8") as text:
-        out = csv.writer(text, lineterminator="\n")
-        out.writerow(columns)
-        out.writerows(rows)
-    partial.replace(file)
-
-
 def layers_text(layers):
     return "/".join(",".join(layer) for layer in layers)
 
@@ -120,10 +94,10 @@ def way_of(points, model):
 
 def screened(folder):
     """The robots of a search that finite elements completed: rows of its table with the displacements in both models."""
-    for row in rows_of(folder / "reevaluation.csv"):
+    for row in read_table(folder / "reevaluation.csv"):
         if row["elements_status"] != "completed":
             continue
-        points = rows_of(folder / "trajectories" / f"rank_{int(row['rank']):04d}.csv")
+        points = read_table(folder / "trajectories" / f"rank_{int(row['rank']):04d}.csv")
         surrogate = way_of(points, "surrogate") if row["surrogate_status"] == "completed" else ["", ""]
         yield {**row, "way_m": way_of(points, "elements"), "surrogate_way_m": surrogate}
 
@@ -141,16 +115,16 @@ def choose(results, table):
             robots.append([f"search_{search}_rank_{int(row['rank']):02d}", search, row["rank"], row["cells"], row["body"],
                            *row["surrogate_way_m"]])
     for name in SHIPPED:
-        layers = toml_of(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
+        layers = read_toml(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
         robots.append([name, "shipped", "", cells_of(layers), layers_text(layers), "", ""])
     write_table(table, ["robot", "search", "rank", "cells", "layers", "surrogate_dx_m", "surrogate_dy_m"], robots)
 
 
 def study_of(robot, change, results):
-    found = [row for row in rows_of(HERE / "robots.csv") if row["robot"] == robot]
+    found = [row for row in read_table(HERE / "robots.csv") if row["robot"] == robot]
     if len(found) != 1 or change not in CHANGES:
         raise InputError(f"there is no robot {robot} in robots.csv, or no change {change}")
-    study = toml_of(HERE / "walk.toml")
+    study = read_toml(HERE / "walk.toml")
     study["design"].update(layers=layers_of(found[0]["layers"]), name=robot)
     values = CHANGES[change]
     if callable(values):
@@ -177,16 +151,16 @@ def gather(results, table):
     """Places at the ends of the periods, from the start, in micrometres; a walk that failed has none."""
     periods = range(1, 16)
     rows = []
-    for robot in rows_of(HERE / "robots.csv"):
+    for robot in read_table(HERE / "robots.csv"):
         for change in CHANGES:
             folder = results / robot["robot"] / change
             if not (folder / "locomotion.toml").exists():
                 continue
-            result = toml_of(folder / "locomotion.toml")
+            result = read_toml(folder / "locomotion.toml")
             if result["status"] == "stopped":
                 continue
             points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xy"]
-                      for row in rows_of(folder / "trajectory.csv")]
+                      for row in read_table(folder / "trajectory.csv")]
             places = []
             for n in periods:
                 if result["status"] == "completed" and n * PERIOD_S <= points[-1][0] + 1e-6:
@@ -206,7 +180,7 @@ def main(words):
         if words[0] == "choose":
             choose(pathlib.Path(words[1]), words[2])
         elif words[0] == "names":
-            print("\n".join(row["robot"] for row in rows_of(words[1])))
+            print("\n".join(row["robot"] for row in read_table(words[1])))
         elif words[0] == "study":
             study_of(words[1], words[2], pathlib.Path(words[3]))
         else:

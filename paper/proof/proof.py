@@ -14,7 +14,6 @@ A score is the displacement in a period of the drive, in body lengths, in the wo
 walk: it counts as 0. Exit codes: 0 done, 2 wrong input.
 """
 
-import csv
 import itertools
 import math
 import os
@@ -22,13 +21,13 @@ import pathlib
 import random
 import re
 import sys
-import tomllib
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "known_walks"))
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "known_walks")]
 
 from chart_of_walks import HEIGHT, INK, WIDTH, Panel, words  # noqa: E402
+from small_tables import InputError, read_table, read_toml, write_table  # noqa: E402
 from statistics_of_walks import angle_deg, median, quantile  # noqa: E402
 
 ARMS = ("voxels", "elements", "both")
@@ -46,28 +45,6 @@ OUTCOMES = ["arm", "seed", "budget_element_steps", "voxel_steps_per_element_step
 PROGRESS = ["arm", "seed", "generation", "cost_element_steps", "champion", "body_lengths"]
 
 
-class InputError(Exception):
-    pass
-
-
-def read_table(file):
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            return list(csv.DictReader(text))
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
-
-
-def write_table(file, columns, rows):
-    """Writes a table whole: an end in between leaves the former one."""
-    part = file.with_name(file.name + ".part")
-    with open(part, "w", newline="", encoding="utf-8") as text:
-        out = csv.DictWriter(text, columns, lineterminator="\n")
-        out.writeheader()
-        out.writerows(rows)
-    os.replace(part, file)
-
-
 def number(value):
     return "" if value is None else f"{value:.6g}"
 
@@ -78,14 +55,6 @@ def value(text):
 
 def costs():
     return {row["what"]: float(row["value"]) for row in read_table(HERE / "cost.csv")}
-
-
-def read_toml(file):
-    try:
-        with open(file, "rb") as text:
-            return tomllib.load(text)
-    except (OSError, tomllib.TOMLDecodeError) as error:
-        raise InputError(f"{file}: {error}") from error
 
 
 def budget_element_steps(size):

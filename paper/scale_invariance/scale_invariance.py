@@ -9,11 +9,8 @@ A robot carries over from one level to the next if it goes the same way within 4
 lengths. Exit codes: 0 done, 2 wrong input.
 """
 
-import csv
-import os
 import pathlib
 import sys
-import tomllib
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -21,6 +18,7 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import median, share  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, write_table  # noqa: E402
 
 LEVELS = (1, 2, 3)
 CELL_EDGE_M = 0.01
@@ -32,28 +30,6 @@ GROUPS = {"random": "robots of chance", "one_scale": "evolved at one scale", "tw
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
 # Robots of chance at two scales, from another experiment
 AT_TWO_SCALES = HERE.parent / "discrepancies" / "walks" / "text.csv"
-
-
-class InputError(Exception):
-    pass
-
-
-def read_table(file):
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            return list(csv.DictReader(text))
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
-
-
-def write_table(file, columns, rows):
-    """Writes a table whole: an end in between leaves the former one."""
-    part = file.with_name(file.name + ".part")
-    with open(part, "w", newline="", encoding="utf-8") as text:
-        out = csv.DictWriter(text, columns, lineterminator="\n")
-        out.writeheader()
-        out.writerows(rows)
-    os.replace(part, file)
 
 
 def robots_but(group, seed):
@@ -71,7 +47,7 @@ def row_of(group, seed, robot, phenotype, ends_m):
     row = {"group": group, "seed": seed, "robot": robot, "cells": cells_of(phenotype), "phenotype": phenotype}
     for level, end_m in ends_m.items():
         for axis, value in zip(("dx", "dy"), end_m):
-            row[f"level_{level}_{axis}_m"] = f"{float(value):.6g}"
+            row[f"level_{level}_{axis}_m"] = cell(float(value), 6)
     return row
 
 
@@ -98,11 +74,7 @@ def add_champion(folder, group, seed):
         raise InputError(f"{group}: must be one of {', '.join(GROUPS)}")
     ends_m = {}
     for level in LEVELS:
-        file = folder / f"level_{level}" / "result.toml"
-        try:
-            result = tomllib.loads(file.read_text(encoding="utf-8"))
-        except (OSError, tomllib.TOMLDecodeError) as error:
-            raise InputError(f"{file}: {error}") from error
+        result = read_toml(folder / f"level_{level}" / "result.toml")
         if "displacement_m" in result:
             ends_m[level] = result["displacement_m"][:2]
     last = read_table(folder / "lineage.csv")[-1]
@@ -145,10 +117,6 @@ def groups():
     return every
 
 
-def text_of(value):
-    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
-
-
 def statistics_of(group, rows, lower, upper):
     lower_m, upper_m = ends(rows, lower), ends(rows, upper)
     there = ~np.isnan(lower_m).any(axis=1) & ~np.isnan(upper_m).any(axis=1)
@@ -164,7 +132,7 @@ def statistics_of(group, rows, lower, upper):
            "by_chance": by_chance(lower_m, upper_m) if len(angle) > 5 else None,
            "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
            "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
-    return {key: text_of(value) for key, value in row.items()}
+    return {key: cell(value) for key, value in row.items()}
 
 
 BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))

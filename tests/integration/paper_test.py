@@ -63,7 +63,7 @@ class PaperTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.tree = pathlib.Path(self.folder.name)
-        for name in ("tables.py", "run_experiment.sh"):
+        for name in ("tables.py", "small_tables.py", "run_experiment.sh"):
             self.put(f"paper/{name}", (SOURCES / "paper" / name).read_text(), executable=True)
         self.put("paper/one/experiment.sh", EXPERIMENT)
         self.put("paper/one/walk.toml", "0.00232\n0\n")
@@ -221,10 +221,14 @@ class Tree(unittest.TestCase):
         listed = subprocess.run([str(SOURCES / "paper/run_experiment.sh")], capture_output=True, text=True, check=True).stdout
         for file in sorted(SOURCES.glob("paper/*/experiment.sh")):
             self.assertIn(f"{file.parent.name}: {file.read_text().splitlines()[0][2:]}", listed)
-            names = [line.split()[1] for line in file.read_text().splitlines() if line.startswith("part")]
-            self.assertTrue(names, file)
-            for name in names:
-                self.assertIn(f"\n{name}() {{", file.read_text(), f"{file}: {name}")
+            # Of every part that the file names, bash is asked whether the name is a function then.
+            script = 'names=(); part() { names+=("$1"); }; part_on_request() { part "$@"; }; source "$0"; '
+            script += 'for name in "${names[@]}"; do echo "$name $(type -t "$name")"; done'
+            parts = dict(line.partition(" ")[::2] for line in subprocess.run(["bash", "-c", script, str(file)], capture_output=True, text=True,
+                                                                             check=True).stdout.splitlines())
+            self.assertTrue(parts, file)
+            for name, kind in parts.items():
+                self.assertEqual(kind, "function", f"{file}: {name}")
 
     def test_the_table_of_ranks_is_what_its_script_prints(self):
         folder = SOURCES / "paper/fractal"

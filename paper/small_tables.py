@@ -1,0 +1,52 @@
+"""Small tables (CSV) and studies (TOML) that scripts of experiments read and write."""
+
+import csv
+import io
+import os
+import tomllib
+
+
+class InputError(Exception):
+    """Wrong input: the message names the file. Scripts print it and end with 2."""
+
+
+def read_table(file):
+    """The rows of a table as dictionaries of text."""
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            return list(csv.DictReader(text))
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+
+
+def read_toml(file):
+    try:
+        with open(file, "rb") as text:
+            return tomllib.load(text)
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{file}: cannot be read: {error}") from error
+
+
+def write_whole(file, text):
+    """Writes a file, whole or not at all: an end in between leaves the former one."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    temporary = file.with_name(f".{file.name}.{os.getpid()}.partial")
+    try:
+        temporary.write_text(text, encoding="utf-8")
+        temporary.replace(file)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def write_table(file, columns, rows):
+    """Writes a table of rows: lists of cells, or dictionaries by column. What is None, or not there, is an empty cell."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([row.get(column, "") for column in columns] if isinstance(row, dict) else row for row in rows)
+    write_whole(file, text.getvalue())
+
+
+def cell(value, digits=4):
+    """A number with some significant digits, other values as they are, None as an empty cell."""
+    return "" if value is None else f"{value:.{digits}g}" if isinstance(value, float) else value
