@@ -31,7 +31,7 @@ def bootstrap(statistic, *samples, paired=False):
     value = float(statistic(*samples))
     if min(len(sample) for sample in samples) < 2:
         return Estimate(value, None, None)
-    found = stats.bootstrap(samples, statistic, n_resamples=RESAMPLES, vectorized=False, paired=paired, method="percentile",
+    found = stats.bootstrap(samples, statistic, n_resamples=RESAMPLES, paired=paired, method="percentile",
                             random_state=np.random.default_rng(SEED)).confidence_interval
     ends = (float(found.low), float(found.high))
     return Estimate(value, *ends) if np.all(np.isfinite(ends)) else Estimate(value, None, None)

@@ -105,10 +105,13 @@ def body_lengths(distance_m, level):
 SCORES = {"body_lengths": body_lengths, "squared_metres": lambda distance_m, level: distance_m**2 / 3**level}
 
 
-def share_with_another_best(first, second):
-    """In how many of the groups of ten robots another one is the best."""
+def groups_of_ten(robots):
     draw = np.random.default_rng(1)
-    groups = np.array([draw.choice(len(first), TEN, replace=False) for _ in range(GROUPS)])
+    return np.array([draw.choice(robots, TEN, replace=False) for _ in range(GROUPS)])
+
+
+def share_with_another_best(first, second, groups):
+    """In how many groups of robots another one is the best."""
     return float(np.mean(first[groups].argmax(axis=1) != second[groups].argmax(axis=1)))
 
 
@@ -121,8 +124,8 @@ def comparison(text, other):
         row[f"level_{level}_spearman"] = rank_correlation(text.distances_m(level), other.distances_m(level))
         shift = np.hypot(*(other.ends_m[level] - text.ends_m[level]).T) / text.distances_m(level)
         row[f"level_{level}_median_change"] = float(np.nanmedian(shift))
-    best = bootstrap(lambda indices: share_with_another_best(fitness[indices.astype(int)], changed[indices.astype(int)]),
-                     np.arange(len(fitness)))
+    groups = groups_of_ten(len(fitness))
+    best = bootstrap(lambda a, b: share_with_another_best(a, b, groups), fitness, changed, paired=True)
     row |= {"another_best_of_ten": best.value, "another_best_of_ten_low": best.low, "another_best_of_ten_high": best.high}
     top = len(fitness) // 10
     row["best_tenth_in_common"] = len(set(np.argsort(-fitness)[:top]) & set(np.argsort(-changed)[:top])) / top
