@@ -6,7 +6,7 @@ scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a sear
 scale_invariance.py summary                          makes statistics.csv, dimension.csv and scale_invariance.svg
 
 A robot carries over from one level to the next if it goes the same way within 45 degrees, and between half and twice as fast in body
-lengths. Exit codes: 0 done, 2 wrong input.
+lengths. Robots that stand still at the smaller one do not count. Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
@@ -24,6 +24,7 @@ LEVELS = (1, 2, 3)
 CELL_EDGE_M = 0.01
 LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
+LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
 RESAMPLES = 2000  # of robots that are paired by chance
 GROUPS = {"random": "robots of chance", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
           "three_scales": "evolved at three scales"}
@@ -88,8 +89,14 @@ def ends(rows, level):
 def angle_and_factor(lower_m, upper_m):
     """Between the ways at two levels, whose body lengths differ threefold: the angle in degrees, and how many times as fast."""
     turn = np.degrees(np.arctan2(lower_m[:, 0] * upper_m[:, 1] - lower_m[:, 1] * upper_m[:, 0], np.sum(lower_m * upper_m, axis=1)))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.abs(turn), np.hypot(*upper_m.T) / np.hypot(*lower_m.T) / 3.0
+    return np.abs(turn), np.hypot(*upper_m.T) / np.hypot(*lower_m.T) / 3.0
+
+
+def moving(rows, lower, upper):
+    """The ends at two levels of the robots that move at the lower one and end their walks at both."""
+    lower_m, upper_m = ends(rows, lower), ends(rows, upper)
+    there = (np.hypot(*lower_m.T) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3**lower) & ~np.isnan(upper_m).any(axis=1)
+    return lower_m[there], upper_m[there]
 
 
 def carries_over(angle_deg, factor):
@@ -118,11 +125,9 @@ def groups():
 
 
 def statistics_of(group, rows, lower, upper):
-    lower_m, upper_m = ends(rows, lower), ends(rows, upper)
-    there = ~np.isnan(lower_m).any(axis=1) & ~np.isnan(upper_m).any(axis=1)
-    if not there.any():
+    lower_m, upper_m = moving(rows, lower, upper)
+    if len(lower_m) == 0:
         return None
-    lower_m, upper_m = lower_m[there], upper_m[there]
     angle, factor = angle_and_factor(lower_m, upper_m)
     carried = share(int(carries_over(angle, factor).sum()), len(angle))
     same_way = share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
@@ -172,7 +177,7 @@ def draw(every, rows, dimensions):
     styles = {"random": ("#999999", ".", 12), "one_scale": ("#E69F00", "s", 26), "two_scales": ("#0072B2", "o", 30), "three_scales": ("#D55E00", "D", 30)}
     figure, axes = pyplot.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
     for group, members in every.items():
-        angle, factor = angle_and_factor(ends(members, 1), ends(members, 2))
+        angle, factor = angle_and_factor(*moving(members, 1, 2))
         colour, mark, size = styles[group]
         axes[0].scatter(angle, np.clip(factor, 0.02, 50.0), c=colour, marker=mark, s=size, label=GROUPS[group])
     axes[0].add_patch(pyplot.Rectangle((0, 1 / LARGEST_FACTOR), LARGEST_ANGLE_DEG, LARGEST_FACTOR - 1 / LARGEST_FACTOR, fill=False, linestyle="--"))

@@ -140,14 +140,14 @@ class ScaleInvariance(Case):
         for n in range(40):
             ends = []
             for level in (1, 2, 3):
-                far, turn = 0.001 * (n + 1) * 3**level, 0.5 * math.pi * (level - 1) if n >= 30 else 0.0
+                far, turn = 0.002 * (n + 1) * 3**level, 0.5 * math.pi * (level - 1) if n >= 30 else 0.0
                 ends += [far * math.cos(turn), far * math.sin(turn)]
             rows.append([n, body(n), *ends])
         columns = ["individual", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2, 3) for axis in "xy"]
-        write(self.tree / "individuals.csv", columns, rows + [[40, body(0), *rows[0][2:]], [41, body(99), "", "", "", "", "", ""]])
+        write(self.tree / "individuals.csv", columns, rows + [[40, body(0), *rows[0][2:]], [41, body(99), "", "", "", "", "", ""], [42, body(50), 0.0, 0.0, 0.02, 0.0, 0.06, 0.0]])
         self.done(self.script, "random", self.tree / "individuals.csv")
         folder = self.tree / "paper/scale_invariance"
-        self.assertEqual(len(table_of(folder / "robots.csv")), 40, "each body once, and only those that walked")
+        self.assertEqual(len(table_of(folder / "robots.csv")), 41, "each body once, and only those that ended their walks")
         # A champion that is three times too fast at level 2, and a failure at level 3.
         for level, moved in ((1, [0.01, 0.0, 0.0]), (2, [0.09, 0.0, 0.0]), (3, None)):
             place = self.tree / f"champion/level_{level}"
@@ -160,6 +160,8 @@ class ScaleInvariance(Case):
         found = {(row["group"], row["levels"]): row for row in table_of(folder / "statistics.csv")}
         self.assertEqual(set(found), {("random", "1 to 2"), ("random", "2 to 3"), ("one_scale", "1 to 2")})
         chance = found["random", "1 to 2"]
+        # The last one stands still at level 1, and goes on as it did from level 2.
+        self.assertEqual(found["random", "2 to 3"]["robots"], "41")
         self.assertEqual((chance["robots"], chance["carried_over"], chance["same_way"], chance["speed_factor"]), ("40", "0.75", "0.75", "1"))
         self.assertLess(float(chance["by_chance"]), 0.5)
         champion = found["one_scale", "1 to 2"]
