@@ -135,7 +135,7 @@ def comparison(text, other):
 
 
 def conclusions(walks):
-    """What of the paper's statements can be seen on robots of chance: which scale is slower, and by how much."""
+    """What of the paper's statements can be seen on random robots: which scale is slower, and by how much."""
     small, large = (walks.body_lengths(level) for level in LEVELS)
     best = np.minimum(small, large)
     moves = small >= LEAST_BODY_LENGTHS
@@ -177,7 +177,7 @@ def draw(rows):
 
     matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
     rows = sorted(rows, key=lambda row: row["fitness_spearman"])
-    figure, axes = pyplot.subplots(1, 2, figsize=(9, 0.7 + 0.35 * len(rows)), sharey=True, layout="constrained")
+    figure, axes = pyplot.subplots(1, 2, figsize=(9, 1.0 + 0.4 * len(rows)), sharey=True, layout="constrained")
     places = range(len(rows))
     for panel, column, title, colour in ((axes[0], "fitness_spearman", "rank correlation of fitness with the text's", "#0072B2"),
                                          (axes[1], "another_best_of_ten", "share of tens with another best robot", "#D55E00")):
@@ -186,6 +186,7 @@ def draw(rows):
         panel.errorbar(values, places, xerr=ends, fmt="o", color=colour, capsize=3)
         panel.set_xlabel(f"{title}\n(95 % interval, {rows[0]['robots']} robots)")
         panel.set_xlim(min(0.0, *(row[column + "_low"] for row in rows)) - 0.02, 1.02)
+        panel.set_ylim(-0.6, len(rows) - 0.4)
         panel.grid(axis="x", color="#dddddd")
     axes[0].set_yticks(places, [row["label"] for row in rows])
     figure.savefig(HERE / "discrepancies.svg", metadata={"Date": None})

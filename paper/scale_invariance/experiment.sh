@@ -1,5 +1,5 @@
 # Does a robot do at the next scale what it does at one, and for which robots does it?
-part random "20 min of two cores" "robots of chance at three scales"
+part random "20 min of two cores" "random robots at three scales"
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
 done

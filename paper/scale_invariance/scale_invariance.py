@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Whether robots do at the next scale what they do at one: tables of robots, and what follows from them.
 
-scale_invariance.py random INDIVIDUALS.csv           puts the robots of chance into robots.csv, of what menger export wrote
+scale_invariance.py random INDIVIDUALS.csv           puts the random robots into robots.csv, of what menger export wrote
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
 scale_invariance.py summary                          makes statistics.csv, dimension.csv and scale_invariance.svg
 
@@ -26,18 +26,21 @@ LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
 RESAMPLES = 2000  # of robots that are paired by chance
-GROUPS = {"random": "robots of chance", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
+GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
           "three_scales": "evolved at three scales"}
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
-# Robots of chance at two scales, from another experiment
+# Random robots at two scales, from another experiment
 AT_TWO_SCALES = HERE.parent / "discrepancies" / "walks" / "text.csv"
+
+
+def robots():
+    file = HERE / "robots.csv"
+    return read_table(file) if file.exists() else []
 
 
 def robots_but(group, seed):
     """The rows of robots.csv but those of a search, which are to be made anew."""
-    file = HERE / "robots.csv"
-    rows = read_table(file) if file.exists() else []
-    return [row for row in rows if (row["group"], row["seed"]) != (group, seed)]
+    return [row for row in robots() if (row["group"], row["seed"]) != (group, seed)]
 
 
 def cells_of(phenotype):
@@ -115,8 +118,8 @@ def dimension(row):
 
 
 def groups():
-    """The robots of each group; those of chance at two scales are those of another experiment, and more of them."""
-    every = {group: [row for row in read_table(HERE / "robots.csv") if row["group"] == group] for group in GROUPS}
+    """The robots of each group; random ones at two scales are those of another experiment, and more of them."""
+    every = {group: [row for row in robots() if row["group"] == group] for group in GROUPS}
     every = {group: rows for group, rows in every.items() if rows}
     if AT_TWO_SCALES.exists():
         seen = {row["phenotype"] for row in every.get("random", [])}
@@ -132,9 +135,9 @@ def statistics_of(group, rows, lower, upper):
     carried = share(int(carries_over(angle, factor).sum()), len(angle))
     same_way = share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
     speed = median(factor)
-    row = {"group": group, "levels": f"{lower} to {upper}", "robots": len(angle),
+    row = {"group": group, "label": GROUPS[group], "levels": f"{lower} to {upper}", "cells": f"{3**lower} to {3**upper}", "robots": len(angle),
            "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
-           "by_chance": by_chance(lower_m, upper_m) if len(angle) > 5 else None,
+           "by_chance": by_chance(lower_m, upper_m) if len(angle) > 1 else None,
            "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
            "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
     return {key: cell(value) for key, value in row.items()}
@@ -144,13 +147,13 @@ BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))
 
 
 def by_dimension(rows, lower, upper):
-    """The same share for robots of chance of similar Hausdorff dimension."""
+    """The same share for random robots of similar Hausdorff dimension."""
     made = []
     for low, high in BINS:
         inside = [row for row in rows if low <= dimension(row) < high]
         found = statistics_of("random", inside, lower, upper) if inside else None
         if found:
-            made.append({"dimension_from": f"{low:g}", "dimension_to": f"{min(3.0, high):g}"} | {key: value for key, value in found.items() if key != "group"})
+            made.append({"dimension_from": f"{low:g}", "dimension_to": f"{min(3.0, high):g}"} | {key: value for key, value in found.items() if key not in ("group", "label")})
     return made
 
 
@@ -184,7 +187,7 @@ def draw(every, rows, dimensions):
     axes[0].set(yscale="log", ylim=(0.018, 55), xlim=(0, 180), xticks=range(0, 181, 45), xlabel="angle between ways at 3 and 9 cells (degrees)",
                 ylabel="speed in body lengths, 9 over 3 cells\n(clipped at 1/50 and 50)")
     axes[0].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.5, -0.16))
-    shown = [(f"{GROUPS[row['group']]}\n{3 ** int(row['levels'][0])} to {3 ** int(row['levels'][-1])} cells (n = {row['robots']})", row) for row in rows]
+    shown = [(f"{row['label']}\n{row['cells']} cells (n = {row['robots']})", row) for row in rows]
     places = range(len(shown))
     values = [float(row["carried_over"]) for _, row in shown]
     spans = [[value - float(row["carried_over_low"]) for value, (_, row) in zip(values, shown)],
@@ -202,9 +205,8 @@ def draw(every, rows, dimensions):
         spans = [[height - float(row["carried_over_low"]) for height, row in zip(heights, bins)],
                  [float(row["carried_over_high"]) - height for height, row in zip(heights, bins)]]
         if bins:
-            first, last = (3 ** int(level) for level in levels.split(" to "))
-            axes[2].errorbar(middles, heights, yerr=spans, fmt=mark, color=colour, capsize=3, label=f"{first} to {last} cells")
-    axes[2].set(ylim=(0, 1), xlim=(1, 3), xlabel="Hausdorff dimension of robots of chance", ylabel="share that carries over")
+            axes[2].errorbar(middles, heights, yerr=spans, fmt=mark, color=colour, capsize=3, label=f"{bins[0]['cells']} cells")
+    axes[2].set(ylim=(0, 1), xlim=(1, 3), xlabel="Hausdorff dimension of random robots", ylabel="share that carries over")
     axes[2].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.5, -0.16))
     for panel in axes:
         panel.grid(color="#dddddd")

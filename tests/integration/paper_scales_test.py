@@ -135,7 +135,7 @@ class ScaleInvariance(Case):
     script = "scale_invariance/scale_invariance.py"
 
     def test_finds_who_carries_over(self):
-        # Of 40 robots of chance the first 30 go on as they did, three times as far in metres; the others turn by 90 degrees.
+        # Of 40 random robots the first 30 go on as they did, three times as far in metres; the others turn by 90 degrees.
         rows = []
         for n in range(40):
             ends = []
