@@ -14,6 +14,7 @@
 #include "fem/elements/element_kernel.h"
 #include "fem/implicit/implicit_dynamics.h"
 #include "fem/implicit_locomotion/implicit_ranks.h"
+#include "fem/motion/state_check.h"
 #include "fem/space/space.h"
 
 namespace menger::fem {
@@ -90,6 +91,7 @@ class ImplicitLocomotion final : public WalkDynamics {
     for (const Point& position : space_.positions) places.insert(places.end(), position.begin(), position.end());
     places = field_of_all_ranks(space_, places);
     if (is_first_) nodes_ = nodes_at_points(places, study.mesh);
+    MPI_Allreduce(&ground_node_count_, &all_ground_nodes_, 1, MPI_UNSIGNED_LONG, MPI_SUM, space_.communicator);
   }
   ImplicitLocomotion(const ImplicitLocomotion&) = delete;
   ImplicitLocomotion& operator=(const ImplicitLocomotion&) = delete;
@@ -132,6 +134,23 @@ class ImplicitLocomotion final : public WalkDynamics {
   void set_state(WalkState state) override {
     tell(Task::set_state);
     set_state_together(std::get<ImplicitState>(state));
+  }
+  [[nodiscard]] std::string misfit(const WalkState& state) const override {
+    const auto* all = std::get_if<ImplicitState>(&state);
+    if (all == nullptr) return "it is a state of explicit dynamics";
+    StateCheck check;
+    const std::size_t components = 3 * static_cast<std::size_t>(space_.node_count);
+    check.numbers("displacements_m", all->displacements_m, components)
+        .numbers("velocities_m_per_s", all->velocities_m_per_s, components)
+        .finite("time_s", {all->time_s, all->next_step_s})
+        .expect(all->next_step_s >= 0.0, "the length of its steps is out of range")
+        .work(all->work)
+        .finite("energy", {all->at_start_J.value_or(0.0)});
+    if (!all->accelerations_m_per_s2.empty()) check.numbers("accelerations_m_per_s2", all->accelerations_m_per_s2, components);
+    if (!all->ground_nodes.empty()) check.counts("ground_nodes", all->ground_nodes.size(), all_ground_nodes_);
+    for (const GroundNode& node : all->ground_nodes)
+      check.finite("anchor_m", node.anchor_m).finite("friction_N", node.friction_N);
+    return check.reason();
   }
   [[nodiscard]] WalkState state() const override {
     tell(Task::state);
@@ -199,6 +218,7 @@ class ImplicitLocomotion final : public WalkDynamics {
   Space space_;
   ImplicitDynamics dynamics_;
   std::size_t ground_node_count_;
+  std::size_t all_ground_nodes_ = 0;  ///< of all ranks
   int rank_count_ = 1;
   bool is_first_ = true;
   std::vector<std::size_t> nodes_;  ///< of all ranks, at the points of the mesh; on the first rank
