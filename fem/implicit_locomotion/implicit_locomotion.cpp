@@ -14,8 +14,11 @@
 #include "fem/elements/element_kernel.h"
 #include "fem/implicit/implicit_dynamics.h"
 #include "fem/implicit_locomotion/implicit_ranks.h"
+#include "fem/memory/memory_estimate.h"
 #include "fem/motion/state_check.h"
 #include "fem/space/space.h"
+#include "io/process/machine_memory.h"
+#include "io/text/input_error.h"
 
 namespace menger::fem {
 namespace {
@@ -72,6 +75,18 @@ std::vector<std::size_t> nodes_at_points(const std::vector<double>& places, cons
   return result;
 }
 
+/// Makes the nodes and elements of a study. @throws io::InputError with the keys that decide it if they would not fit into memory
+Space checked_space(const LocomotionStudy& study) {
+  const int degree = study.implicit->degree;
+  const std::string obstacle = obstacle_of_memory(body_size(study.mesh, degree, 0), degree, {}, io::machine_memory_bytes());
+  if (!obstacle.empty()) {
+    throw io::InputError(obstacle + "; lower dynamics.degree = " + std::to_string(degree) +
+                         ", design.elements_through_wall = " + std::to_string(study.hollow.elements_through_wall) +
+                         ", or give design.largest_element_m or dynamics.method = \"explicit\"");
+  }
+  return make_space(study.mesh, degree, 0, MPI_COMM_WORLD);
+}
+
 /// What all ranks do together.
 enum class Task : int { end, advance, set_state, state, record, displacements, velocities };
 
@@ -80,7 +95,7 @@ class ImplicitLocomotion final : public WalkDynamics {
  public:
   ImplicitLocomotion(const LocomotionStudy& study, const std::atomic<bool>* stop)
       : body_(body_of(study)),
-        space_(make_space(study.mesh, study.implicit->degree, 0, MPI_COMM_WORLD)),
+        space_(checked_space(study)),
         dynamics_(space_, body_, options_of(study, stop)),
         ground_node_count_(dynamics_.state().ground_nodes.size()) {
     MPI_Comm_size(space_.communicator, &rank_count_);
