@@ -161,7 +161,8 @@ int confirm_robots(const Arguments& arguments) {
                         .seed = search.search.seed,
                         .seconds = std::chrono::duration<double>(Clock::now() - start).count(),
                         .inputs = {}};
-  io::note_input(manifest.inputs, arguments.archive);
+  // The archive itself has changed: it holds these walks now.
+  io::note_input(manifest.inputs, arguments.archive.string() + " (study)", archive.study());
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   io::write_manifest_file(fs::path(arguments.table).replace_extension(".manifest.json"), manifest);
   std::cout << robots.size() << (robots.size() == 1 ? " robot: " : " robots: ") << arguments.table.string() << std::endl;

@@ -27,10 +27,7 @@ class Keeper {
   void resume(fem::Walk& walk) {
     if (file_.empty()) return;
     try {
-      if (auto earlier = fem::read_locomotion_checkpoint(file_, identity_)) {
-        earlier_s_ = earlier->seconds;
-        walk.resume(std::move(*earlier));
-      }
+      earlier_s_ = fem::resume_from_checkpoint(walk, file_, identity_).value_or(0.0);
     } catch (const io::InputError&) {  // the walk can be made anew
     }
   }

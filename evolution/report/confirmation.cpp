@@ -69,15 +69,18 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(study.search, robots[n].phenotype);
     const std::string design = design_hash(simulated, level_on_elements);
+    std::vector<std::pair<fem::Fidelity, KnownResults>> walks;
+    for (const auto& [fidelity, texts] : protocols)
+      if (auto results = made.in_scenarios(texts, design)) walks.emplace_back(fidelity, *std::move(results));
     // A robot that has walked on some of the elements only, as another study asked, is not confirmed.
-    if (std::ranges::any_of(protocols, [&](const auto& one) { return !made.in_scenarios(one.second, design); })) continue;
-    for (const auto& [fidelity, texts] : protocols) {
-      const std::optional<KnownResults> results = made.in_scenarios(texts, design);
-      const KnownScore score = known_score(study.search, *results);
+    if (walks.size() < protocols.size()) continue;
+    const KnownResults search = archived_results(run, simulated);
+    for (const auto& [fidelity, results] : walks) {
+      const KnownScore score = known_score(study.search, results);
       Confirmation one{.rank = n + 1, .design = robots[n], .fidelity = fidelity};
       if (!score.is_failed) one.score = score.at_most;
-      if (score.is_failed) one.reason = first_reason(*results);
-      one.angle_deg = largest_angle_deg(archived_results(run, simulated), *results);
+      if (score.is_failed) one.reason = first_reason(results);
+      one.angle_deg = largest_angle_deg(search, results);
       all.push_back(std::move(one));
     }
   }

@@ -217,6 +217,17 @@ void SelfContact::add_friction(Found& found, const ContactPast& past) const {
   found.touch.face_friction_N = face_reactions_N(pressed, found.touch.friction_N);
 }
 
+bool SelfContact::can_have(std::span<const ContactMemory> memories) const {
+  std::size_t next_node = 0;
+  for (const auto& [node, face, depth, pressed, paid, spring, slip, is_sliding] : memories) {
+    if (node < next_node || node >= surfaces_.node_count() || face >= surfaces_.face_count()) return false;
+    for (const double number : {depth, pressed, paid, spring, slip[0], slip[1], slip[2]})
+      if (!std::isfinite(number)) return false;
+    next_node = std::size_t{node} + 1;
+  }
+  return true;
+}
+
 /// Sets the memories of the nodes that are behind a face now, and of those that were before and whose springs may still hold some
 /// length (paid_m2).
 void SelfContact::set_memories(const ContactPast* past) {

@@ -126,6 +126,8 @@ class SelfContact {
   [[nodiscard]] const std::vector<SelfTouch>& touches() const { return touches_; }
   /// The memories after find_touches, ascending by node. They are the past of the next step.
   [[nodiscard]] const std::vector<ContactMemory>& memories() const { return memories_; }
+  /// Whether these can be memories of this body: ascending, of nodes and faces that it has, with finite numbers.
+  [[nodiscard]] bool can_have(std::span<const ContactMemory> memories) const;
   /// Forces of the springs on the mesh's nodes, 3 per node; empty while nothing touches.
   [[nodiscard]] std::span<const double> forces_N() const;
   /// Forces of friction, in the same layout; also empty if there is no friction.

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "fem/explicit/explicit_contact.h"
+#include "fem/motion/state_check.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "meshes/hexahedra/element_geometry.h"
@@ -172,6 +175,47 @@ void ExplicitDynamics::set_state(ExplicitState state) {
   state_.at_start_J = 0.0;
   state_.at_start_J = energies().imbalance_J();
   state_.turnover_J = energies().turnover_J();
+}
+
+std::string ExplicitDynamics::misfit(const ExplicitState& state) const {
+  StateCheck check;
+  const std::size_t components = state_.displacements_m.size();
+  check.numbers("displacements_m", state.displacements_m, components)
+      .numbers("velocities_m_per_s", state.velocities_m_per_s, components)
+      .finite("time_s", {state.time_s, state.last_step_s, state.stable_step_s, state.step_share})
+      .expect(state.last_step_s >= 0.0 && state.stable_step_s >= 0.0 && state.step_share > 0.0 && state.step_share <= 1.0 &&
+                  state.steps_to_bound > 0,
+              "the length of its steps is out of range")
+      .work(state.work)
+      .finite("energy", {state.at_start_J.value_or(0.0), state.turnover_J});
+  if (state.pneumatics && options_.supply->has_lines()) {
+    const PneumaticState& air = *state.pneumatics;
+    check.finite("air", {air.time_s, air.work.piston_J, air.work.source_J, air.work.plenum_J, air.work.line_J})
+        .numbers("volumes_m3", air.volumes_m3, state_.pneumatics->volumes_m3.size())
+        .numbers("plenum_air_m3", air.plenum_air_m3, state_.pneumatics->plenum_air_m3.size())
+        .numbers("piston_air_m3", air.piston_air_m3, state_.pneumatics->piston_air_m3.size())
+        .numbers("source_air_m3", air.source_air_m3, state_.pneumatics->source_air_m3.size());
+  }
+  if (state.contact) check.expect(self_contact_.can_have(*state.contact), "contact is not that of the body's surface");
+  if (state.branches) {
+    check.expect(state.branches->numbers.index() == state_.branches->numbers.index(), "branches are of another precision")
+        .finite("branches", {state.branches->age_s});
+    std::visit(
+        [&](const auto& rest) {
+          using Numbers = std::decay_t<decltype(rest)>;
+          if (const auto* numbers = std::get_if<Numbers>(&state.branches->numbers))
+            check.numbers("branches", *numbers, rest.size());
+        },
+        state_.branches->numbers);
+  }
+  if (!state.pressures_Pa.empty()) {
+    check.numbers("pressures_Pa", state.pressures_Pa, state_.pressures_Pa.size())
+        .numbers("pressed_volumes", state.pressed_volumes.walls_m3, state_.pressed_volumes.walls_m3.size())
+        .numbers("pressed_volumes", state.pressed_volumes.chambers_m3, state_.pressed_volumes.chambers_m3.size());
+  }
+  if (!check.reason().empty()) return check.reason();
+  const std::optional<FailedElement> failed = body_.elements().failed_element(state.displacements_m);
+  return failed ? "element " + std::to_string(failed->element) + " is inverted, or its law gives no stress" : "";
 }
 
 /// Returns the time by which branches relax at the start of a step: the time since they last relaxed if it is longer than the

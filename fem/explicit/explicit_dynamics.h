@@ -143,6 +143,10 @@ class ExplicitDynamics {
   void set_state(ExplicitState state);
   [[nodiscard]] const ExplicitState& state() const { return state_; }
 
+  /// Returns why a state, such as one from a file, cannot be one of this body: the first of its members that does not fit, or an
+  /// element that is inverted. Empty if it can be.
+  [[nodiscard]] std::string misfit(const ExplicitState& state) const;
+
   /// Advances to this time. The end of each call is the end of an interval. If a run does not complete, its state is the last one
   /// that passed the checks (for a contact or a volume that ended it, the state where that was found), and further calls return
   /// the same report.

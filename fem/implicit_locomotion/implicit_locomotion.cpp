@@ -14,7 +14,11 @@
 #include "fem/elements/element_kernel.h"
 #include "fem/implicit/implicit_dynamics.h"
 #include "fem/implicit_locomotion/implicit_ranks.h"
+#include "fem/memory/memory_estimate.h"
+#include "fem/motion/state_check.h"
 #include "fem/space/space.h"
+#include "io/process/machine_memory.h"
+#include "io/text/input_error.h"
 
 namespace menger::fem {
 namespace {
@@ -71,6 +75,18 @@ std::vector<std::size_t> nodes_at_points(const std::vector<double>& places, cons
   return result;
 }
 
+/// Makes the nodes and elements of a study. @throws io::InputError with the keys that decide it if they would not fit into memory
+Space checked_space(const LocomotionStudy& study) {
+  const int degree = study.implicit->degree;
+  const std::string obstacle = obstacle_of_memory(body_size(study.mesh, degree, 0), degree, {}, io::machine_memory_bytes());
+  if (!obstacle.empty()) {
+    throw io::InputError(obstacle + "; lower dynamics.degree = " + std::to_string(degree) +
+                         ", design.elements_through_wall = " + std::to_string(study.hollow.elements_through_wall) +
+                         ", or give design.largest_element_m or dynamics.method = \"explicit\"");
+  }
+  return make_space(study.mesh, degree, 0, MPI_COMM_WORLD);
+}
+
 /// What all ranks do together.
 enum class Task : int { end, advance, set_state, state, record, displacements, velocities };
 
@@ -79,7 +95,7 @@ class ImplicitLocomotion final : public WalkDynamics {
  public:
   ImplicitLocomotion(const LocomotionStudy& study, const std::atomic<bool>* stop)
       : body_(body_of(study)),
-        space_(make_space(study.mesh, study.implicit->degree, 0, MPI_COMM_WORLD)),
+        space_(checked_space(study)),
         dynamics_(space_, body_, options_of(study, stop)),
         ground_node_count_(dynamics_.state().ground_nodes.size()) {
     MPI_Comm_size(space_.communicator, &rank_count_);
@@ -90,6 +106,7 @@ class ImplicitLocomotion final : public WalkDynamics {
     for (const Point& position : space_.positions) places.insert(places.end(), position.begin(), position.end());
     places = field_of_all_ranks(space_, places);
     if (is_first_) nodes_ = nodes_at_points(places, study.mesh);
+    MPI_Allreduce(&ground_node_count_, &all_ground_nodes_, 1, MPI_UNSIGNED_LONG, MPI_SUM, space_.communicator);
   }
   ImplicitLocomotion(const ImplicitLocomotion&) = delete;
   ImplicitLocomotion& operator=(const ImplicitLocomotion&) = delete;
@@ -132,6 +149,23 @@ class ImplicitLocomotion final : public WalkDynamics {
   void set_state(WalkState state) override {
     tell(Task::set_state);
     set_state_together(std::get<ImplicitState>(state));
+  }
+  [[nodiscard]] std::string misfit(const WalkState& state) const override {
+    const auto* all = std::get_if<ImplicitState>(&state);
+    if (all == nullptr) return "it is a state of explicit dynamics";
+    StateCheck check;
+    const std::size_t components = 3 * static_cast<std::size_t>(space_.node_count);
+    check.numbers("displacements_m", all->displacements_m, components)
+        .numbers("velocities_m_per_s", all->velocities_m_per_s, components)
+        .finite("time_s", {all->time_s, all->next_step_s})
+        .expect(all->next_step_s >= 0.0, "the length of its steps is out of range")
+        .work(all->work)
+        .finite("energy", {all->at_start_J.value_or(0.0)});
+    if (!all->accelerations_m_per_s2.empty()) check.numbers("accelerations_m_per_s2", all->accelerations_m_per_s2, components);
+    if (!all->ground_nodes.empty()) check.counts("ground_nodes", all->ground_nodes.size(), all_ground_nodes_);
+    for (const GroundNode& node : all->ground_nodes)
+      check.finite("anchor_m", node.anchor_m).finite("friction_N", node.friction_N);
+    return check.reason();
   }
   [[nodiscard]] WalkState state() const override {
     tell(Task::state);
@@ -199,6 +233,7 @@ class ImplicitLocomotion final : public WalkDynamics {
   Space space_;
   ImplicitDynamics dynamics_;
   std::size_t ground_node_count_;
+  std::size_t all_ground_nodes_ = 0;  ///< of all ranks
   int rank_count_ = 1;
   bool is_first_ = true;
   std::vector<std::size_t> nodes_;  ///< of all ranks, at the points of the mesh; on the first rank

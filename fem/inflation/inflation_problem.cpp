@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fem/inflation/coarse_walls.h"
-#include "fem/inflation/memory_estimate.h"
+#include "fem/memory/memory_estimate.h"
 #include "fem/statics/free_supports.h"
 #include "io/process/machine_memory.h"
 #include "io/text/input_error.h"

@@ -132,10 +132,53 @@ class InflationRun {
     }
   }
 
+  /// Returns why what a checkpoint holds cannot be the progress of this path, empty if it can: its hash says that the file is
+  /// whole, but not what was written.
+  [[nodiscard]] std::string misfit_of(const PathProgress& progress) {
+    const PathRestart& restart = progress.restart;
+    const std::size_t plena = problem_.body.plenum_count;
+    const std::size_t count = restart.points.size();
+    if (restart.states.size() != restart.s.size() || restart.states.empty() != restart.points.empty())
+      return "it has " + std::to_string(restart.states.size()) + " states of " + std::to_string(count) + " points";
+    if (progress.observations.size() != count || progress.extent_changes_m.size() != count)
+      return "it has other observations than points";
+    for (std::size_t n = 0; n < count; ++n) {
+      const PathPoint& point = restart.points[n];
+      const bool fits = point.pressures_Pa.size() == plena && point.plenum_volumes_m3.size() == plena &&
+                        point.work_volumes_m3.size() == plena &&
+                        point.chamber_volumes_m3.size() == problem_.mesh.chambers.size() &&
+                        point.plates.size() == study_.plates.size() && progress.observations[n].size() == points_.size();
+      if (!fits || !std::isfinite(point.s)) return "it has a point of another body";
+    }
+    for (const BodyState& state : restart.states)
+      if (!can_be_of_body(state)) return "it has a state of another size, or with a number that is not finite";
+    const auto has_all_plena = [&](const std::vector<LimitPoint>& found) {
+      return std::ranges::all_of(found, [&](const LimitPoint& limit) { return limit.plenum < plena; });
+    };
+    if (!has_all_plena(restart.limit_points) || (progress.outcome && !has_all_plena(progress.outcome->limit_points)))
+      return "it has a limit point of a plenum that is not there";
+    const bool has_times = std::ranges::all_of(restart.s, [](double s) { return std::isfinite(s); }) &&
+                           std::isfinite(restart.next_step) && !std::isnan(restart.failed_s);
+    return has_times ? "" : "it has a step whose length is not a number";
+  }
+
+  [[nodiscard]] bool can_be_of_body(const BodyState& state) {
+    const auto are_finite = [](const std::vector<double>& numbers) {
+      return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+    };
+    const bool has_size = state.displacements_m.size() == 3 * space_.positions.size() &&
+                          state.plenum_pressures_Pa.size() == problem_.body.plenum_count &&
+                          (state.element_pressures_Pa.empty() ||
+                           state.element_pressures_Pa.size() == equilibrium_.assembly().elements().pressure_count());
+    return has_size && are_finite(state.displacements_m) && are_finite(state.plenum_pressures_Pa) &&
+           are_finite(state.element_pressures_Pa);
+  }
+
   void resume_or_begin() {
     const fs::path checkpoint = folder_.file(checkpoint_name);
     if (!options_.restart) {
-      if (auto earlier = read_checkpoint(checkpoint, identity(), options_.communicator)) progress_ = std::move(*earlier);
+      const auto misfit = [this](const PathProgress& progress) { return misfit_of(progress); };
+      if (auto earlier = read_checkpoint(checkpoint, identity(), options_.communicator, misfit)) progress_ = std::move(*earlier);
     }
     result_.resumed_points = progress_.restart.points.size();
     result_.path.points = progress_.restart.points;

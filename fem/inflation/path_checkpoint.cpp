@@ -205,8 +205,8 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& iden
   });
 }
 
-std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, const std::string& identity,
-                                            MPI_Comm communicator) {
+std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, const std::string& identity, MPI_Comm communicator,
+                                            const std::function<std::string(const PathProgress&)>& misfit) {
   std::optional<PathProgress> progress;
   on_every_rank(communicator, [&] {
     const io::CheckpointFile checkpoint(file, title, whole_identity(identity, communicator));
@@ -224,6 +224,8 @@ std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, c
         Reader states(reader.take(size));
         if (r == rank) states(read.restart.states);
       }
+      if (const std::string reason = misfit ? misfit(read) : ""; !reason.empty())
+        throw io::InputError("does not fit the body: " + reason);
     } catch (const io::InputError& error) {
       throw checkpoint.error(error.what());
     }

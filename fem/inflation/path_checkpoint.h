@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,9 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& iden
 
 /// Reads a checkpoint, each rank its own states. Empty if there is no such file. Collective. Numbers are restored exactly. The
 /// file is binary in the byte order of the machine and contains a hash of its content.
-/// @throws io::InputError on all ranks if it is damaged, or has another identity or number of ranks
-std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, const std::string& identity,
-                                            MPI_Comm communicator);
+/// @param misfit returns why what was read cannot be of the body, empty if it can; may be empty
+/// @throws io::InputError on all ranks if it is damaged, has another identity or number of ranks, or does not fit on one of them
+std::optional<PathProgress> read_checkpoint(const std::filesystem::path& file, const std::string& identity, MPI_Comm communicator,
+                                            const std::function<std::string(const PathProgress&)>& misfit = {});
 
 }  // namespace menger::fem

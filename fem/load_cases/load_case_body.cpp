@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fem/inflation/memory_estimate.h"
 #include "fem/inflation/wall_points.h"
+#include "fem/memory/memory_estimate.h"
 #include "fem/statics/free_supports.h"
 #include "io/process/machine_memory.h"
 #include "io/text/input_error.h"

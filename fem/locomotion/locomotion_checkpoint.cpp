@@ -276,4 +276,16 @@ std::optional<WalkProgress> read_locomotion_checkpoint(const std::filesystem::pa
   }
 }
 
+std::optional<double> resume_from_checkpoint(Walk& walk, const std::filesystem::path& file, const std::string& identity) {
+  std::optional<WalkProgress> progress = read_locomotion_checkpoint(file, identity);
+  if (!progress) return std::nullopt;
+  const double seconds = progress->seconds;
+  try {
+    walk.resume(*std::move(progress));
+  } catch (const io::InputError& error) {
+    throw io::CheckpointFile(file, title, identity).error(std::string("does not fit the walk: ") + error.what());
+  }
+  return seconds;
+}
+
 }  // namespace menger::fem

@@ -21,4 +21,9 @@ void write_locomotion_checkpoint(const std::filesystem::path& file, const std::s
 /// @throws io::InputError if it is damaged or has another identity
 std::optional<WalkProgress> read_locomotion_checkpoint(const std::filesystem::path& file, const std::string& identity);
 
+/// Continues a walk from its checkpoint, if there is one.
+/// @return the wall time that it has taken so far, s; empty without a checkpoint
+/// @throws io::InputError naming the file as read_locomotion_checkpoint does, and if its content cannot be that of this walk
+std::optional<double> resume_from_checkpoint(Walk& walk, const std::filesystem::path& file, const std::string& identity);
+
 }  // namespace menger::fem

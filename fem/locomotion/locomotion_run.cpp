@@ -41,7 +41,7 @@ class LocomotionRun {
         walk_(study, *dynamics_),
         frames_(folder, study.mesh, study.material.law) {
     identity_ = locomotion_identity(study, *dynamics_);
-    if (!options.restart) earlier_ = read_locomotion_checkpoint(folder / checkpoint_name, identity_);
+    if (!options.restart) earlier_s_ = resume_from_checkpoint(walk_, folder / checkpoint_name, identity_);
   }
 
   LocomotionResult run() {
@@ -60,10 +60,9 @@ class LocomotionRun {
     // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
     folder_.begin({"locomotion.toml", "trajectory.csv", "robot.png", "trajectory.png"});
     std::vector<double> frame_times_s;
-    if (earlier_) {
-      folder_.add_seconds(earlier_->seconds);
-      seconds_ = earlier_->seconds;
-      walk_.resume(std::move(*earlier_));
+    if (earlier_s_) {
+      folder_.add_seconds(*earlier_s_);
+      seconds_ = *earlier_s_;
       for (std::size_t r = 0; study_.output.frames && r < walk_.records().size(); ++r) {
         // The end of a run always has a frame.
         if (is_due(r) || (walk_.outcome() && r == last_record())) frame_times_s.push_back(walk_.records()[r].time_s);
@@ -141,8 +140,8 @@ class LocomotionRun {
   Walk walk_;
   LocomotionFrames frames_;
   std::string identity_;
-  std::optional<WalkProgress> earlier_;
-  double seconds_ = 0.0;  ///< wall time when the last checkpoint was written
+  std::optional<double> earlier_s_;  ///< wall time of an earlier run that goes on
+  double seconds_ = 0.0;             ///< wall time when the last checkpoint was written
   LocomotionResult result_;
 };
 

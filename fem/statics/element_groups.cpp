@@ -101,7 +101,12 @@ std::vector<double> ElementGroups::predicted_pressures() const {
   return all;
 }
 
+std::size_t ElementGroups::pressure_count() const {
+  return batches_.size() * ElementShape{space_.degree}.points() * kernels_.width;
+}
+
 void ElementGroups::set_predicted_pressures(std::span<const double> pressures) {
+  assert(pressures.size() == pressure_count());
   for (Batch& batch : batches_) {
     const auto own = pressures.first(ElementShape{space_.degree}.points() * kernels_.width);
     batch.predicted_pressure.assign(own.begin(), own.end());

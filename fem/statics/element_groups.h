@@ -49,7 +49,8 @@ class ElementGroups {
   /// The pressures that predict_pressure has stored on this rank. Keep them with a state, and give them to
   /// set_predicted_pressures to restore it.
   [[nodiscard]] std::vector<double> predicted_pressures() const;
-  void set_predicted_pressures(std::span<const double> pressures);
+  void set_predicted_pressures(std::span<const double> pressures);  ///< pressure_count() of them (asserts)
+  [[nodiscard]] std::size_t pressure_count() const;
 
   /// Discards the predicted pressures: the next stiffness is the exact one.
   void forget_prediction() { has_prediction_ = false; }

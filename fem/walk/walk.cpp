@@ -1,9 +1,11 @@
 #include "fem/walk/walk.h"
 
 #include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include "io/text/input_error.h"
 #include "io/text/number_text.h"
 
 namespace menger::fem {
@@ -27,7 +29,12 @@ WalkResult walk(const WalkInput& input, const std::atomic<bool>* stop) {
 }
 
 Walk::Walk(const PreparedWalk& walk, WalkDynamics& dynamics)
-    : dynamics_(dynamics), overlaps_(walk.mesh), posture_(walk.mesh), times_s_(record_times_s(walk)) {
+    : dynamics_(dynamics),
+      overlaps_(walk.mesh),
+      posture_(walk.mesh),
+      times_s_(record_times_s(walk)),
+      plena_(walk.mesh.plenum_names.size()),
+      chambers_(walk.mesh.chambers.size()) {
   result_.status = io::RunStatus::completed;
   result_.elements = walk.mesh.elements.size();
   result_.nodes = walk.mesh.points.size();
@@ -35,7 +42,24 @@ Walk::Walk(const PreparedWalk& walk, WalkDynamics& dynamics)
   result_.ground_height_m = walk.ground.height_m;
 }
 
+/// Returns why what a file holds cannot be the progress of this walk; empty if it can be.
+std::string Walk::misfit(const WalkProgress& progress) const {
+  if (std::string reason = dynamics_.misfit(progress.state); !reason.empty()) return reason;
+  const std::size_t most_records = times_s_.size() + (progress.outcome ? 1 : 0);
+  if (progress.records.empty() || progress.records.size() > most_records)
+    return "it has " + std::to_string(progress.records.size()) + " records, the walk at most " + std::to_string(most_records);
+  double last_s = -1.0;
+  for (const WalkRecord& record : progress.records) {
+    if (!std::isfinite(record.time_s) || record.time_s <= last_s) return "the times of its records do not ascend";
+    if (record.plenum_pressures_Pa.size() != plena_ || record.chamber_volumes_m3.size() != chambers_)
+      return "its records are of other chambers";
+    last_s = record.time_s;
+  }
+  return std::isfinite(progress.seconds) && progress.seconds >= 0.0 ? "" : "its wall time is no time";
+}
+
 void Walk::resume(WalkProgress progress) {
+  if (const std::string reason = misfit(progress); !reason.empty()) throw io::InputError(reason);
   dynamics_.set_state(std::move(progress.state));
   result_.records = std::move(progress.records);
   if (!progress.outcome) return;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fem/contact/body_overlap.h"
@@ -40,6 +41,7 @@ class Walk {
   Walk(const PreparedWalk& walk, WalkDynamics& dynamics);
 
   /// Continues an earlier walk of the same input instead of beginning at rest.
+  /// @throws io::InputError saying why the progress cannot be one of this walk, which then stays as it is
   void resume(WalkProgress progress);
 
   /// Makes the record of the start, if there is none yet.
@@ -67,13 +69,16 @@ class Walk {
 
  private:
   [[nodiscard]] WalkOutcome checked(WalkOutcome outcome) const;
+  [[nodiscard]] std::string misfit(const WalkProgress& progress) const;
   void add_record();
   void make_restart_point();
 
   WalkDynamics& dynamics_;
   BodyOverlapSearch overlaps_;
   BodyPosture posture_;
-  std::vector<double> times_s_;
+  std::vector<double> times_s_;  ///< of all records but that of the start
+  std::size_t plena_;
+  std::size_t chambers_;
   WalkResult result_;  ///< without the time and steps reached
   std::optional<WalkOutcome> outcome_;
   std::optional<WalkState> restart_;  ///< of the last restart point, if the method needs them

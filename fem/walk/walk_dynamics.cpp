@@ -20,6 +20,10 @@ class ExplicitWalk final : public WalkDynamics {
     return {report.status, report.reason};
   }
   void set_state(WalkState state) override { dynamics_.set_state(std::get<ExplicitState>(std::move(state))); }
+  [[nodiscard]] std::string misfit(const WalkState& state) const override {
+    const auto* of_this_method = std::get_if<ExplicitState>(&state);
+    return of_this_method != nullptr ? dynamics_.misfit(*of_this_method) : "it is a state of implicit dynamics";
+  }
   [[nodiscard]] WalkState state() const override { return dynamics_.state(); }
   [[nodiscard]] double time_s() const override { return dynamics_.state().time_s; }
   [[nodiscard]] std::size_t steps() const override { return dynamics_.state().steps; }

@@ -34,8 +34,11 @@ class WalkDynamics {
   /// Advances to exactly this time; see ExplicitDynamics::advance_to.
   [[nodiscard]] virtual WalkOutcome advance_to(double time_s) = 0;
 
-  /// Sets the state from which the walk continues. It must be of this method (asserts).
+  /// Sets the state from which the walk continues. It must fit the body (asserts), see misfit.
   virtual void set_state(WalkState state) = 0;
+  /// Returns why a state, such as one from a file, cannot be one of this body; empty if it can be. Only an element that is
+  /// inverted may be left for set_state to find.
+  [[nodiscard]] virtual std::string misfit(const WalkState& state) const = 0;
   [[nodiscard]] virtual WalkState state() const = 0;
   [[nodiscard]] virtual double time_s() const = 0;
   [[nodiscard]] virtual std::size_t steps() const = 0;

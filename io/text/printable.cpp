@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "io/text/input_error.h"
-
 namespace menger::io {
 namespace {
 
@@ -79,8 +77,5 @@ std::size_t unfinished_bytes(std::string_view text) {
   }
   return 0;
 }
-
-// Messages hold names and values from files.
-InputError::InputError(const std::string& message) : std::runtime_error(printable(message)) {}
 
 }  // namespace menger::io

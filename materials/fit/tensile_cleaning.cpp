@@ -47,6 +47,13 @@ void keep_rows(TensileTest& test, std::size_t count) {
   test.stress_Pa.resize(count);
 }
 
+void drop_first_rows(TensileTest& test, std::size_t count) {
+  const auto end = static_cast<std::ptrdiff_t>(count);
+  if (!test.time_s.empty()) test.time_s.erase(test.time_s.begin(), test.time_s.begin() + end);
+  test.strain.erase(test.strain.begin(), test.strain.begin() + end);
+  test.stress_Pa.erase(test.stress_Pa.begin(), test.stress_Pa.begin() + end);
+}
+
 void repair_clock(TensileTest& test, std::vector<std::string>& notes) {
   if (test.time_s.size() < 3) return;
   const std::vector<double> steps = differences(test.time_s);
@@ -105,11 +112,18 @@ void cut_drop_outs(TensileTest& test, std::vector<std::string>& notes) {
     const double lost_Pa = median_around(steps, i) - steps[i];
     const bool falls = steps[i] < -negligible_Pa && lost_Pa > std::max(negligible_Pa, 5.0 * noise_Pa);
     if (!falls && std::abs(jump_at(steps, i)) <= std::max(negligible_Pa, 20.0 * noise_Pa)) continue;
-    const std::size_t lost = test.strain.size() - (i + 1);
-    keep_rows(test, i + 1);
-    notes.push_back("drop-out: the stress " + std::string(steps[i] < 0.0 ? "falls" : "jumps") + " by " +
-                    kilopascals(std::abs(steps[i])) + " at a strain of " + percent(test.strain.back()) + ": " +
-                    std::to_string(lost) + " rows from there on are left out");
+    const std::size_t up_to_here = i + 1;
+    const std::string fault = std::string("the stress ") + (steps[i] < 0.0 ? "falls" : "jumps") + " by " +
+                              kilopascals(std::abs(steps[i])) + " at a strain of " + percent(test.strain[i]);
+    // While the grips settle the load falls and jumps although the specimen is whole.
+    if (std::abs(test.strain[i]) <= start_end && 4 * up_to_here <= test.strain.size()) {
+      drop_first_rows(test, up_to_here);
+      notes.push_back("first rows: " + fault + ": " + std::to_string(up_to_here) + " rows up to there are left out");
+      return cut_drop_outs(test, notes);
+    }
+    notes.push_back("drop-out: " + fault + ": " + std::to_string(test.strain.size() - up_to_here) +
+                    " rows from there on are left out");
+    keep_rows(test, up_to_here);
     return;
   }
 }
@@ -215,10 +229,7 @@ void cut_wrong_signs(TensileTest& test, std::vector<std::string>& notes) {
   if (wrong == 0 || 4 * wrong > test.strain.size()) return;
   notes.push_back("first rows: the stress has the wrong sign up to a strain of " + percent(test.strain[wrong - 1]) + " (" +
                   kilopascals(test.stress_Pa[wrong - 1]) + "): " + std::to_string(wrong) + " rows are left out");
-  const auto count = static_cast<std::ptrdiff_t>(wrong);
-  if (!test.time_s.empty()) test.time_s.erase(test.time_s.begin(), test.time_s.begin() + count);
-  test.strain.erase(test.strain.begin(), test.strain.begin() + count);
-  test.stress_Pa.erase(test.stress_Pa.begin(), test.stress_Pa.begin() + count);
+  drop_first_rows(test, wrong);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace menger::materials {
 ///   fall exceeds 0.1 % of the largest stress, and together with the rise that the steps around it have in the median it exceeds
 ///   five times the median change from one step of the stress to the next. Rows are also removed after a single step that is
 ///   larger or smaller than the three steps on each side of it, by more than 0.1 % of the largest stress and more than twenty
-///   times that median.
+///   times that median. Up to a strain of 0.1 and in the first quarter of the rows it is the grips that settle: there the rows
+///   before are removed.
 /// - The zero of the load: a constant and a law that fits all silicones at small strain (Mooney-Rivlin and the second term of
 ///   Yeoh) are fitted to the rows up to a strain of 0.3. The constant is subtracted if it exceeds five standard errors and 0.5 %
 ///   of the stress there, and if the rows up to a strain of 0.15 give the same constant to within a fifth. Otherwise nothing is

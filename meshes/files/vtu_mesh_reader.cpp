@@ -43,9 +43,11 @@ class QuietVtk {
 
 class VtuMeshReader {
  public:
-  explicit VtuMeshReader(const std::filesystem::path& file) : file_(file) {
+  /// @param content of the file
+  VtuMeshReader(const std::filesystem::path& file, const std::string& content) : file_(file) {
     const QuietVtk quiet;
-    reader_->SetFileName(file.c_str());
+    reader_->ReadFromInputStringOn();
+    reader_->SetInputString(content);
     if (reader_->CanReadFile(file.c_str()) == 0) refuse("is not a VTK file of unstructured cells (.vtu)");
     reader_->Update();
     grid_ = reader_->GetOutput();
@@ -192,9 +194,9 @@ class VtuMeshReader {
 }  // namespace
 
 HexahedralMesh read_vtu_mesh(const std::filesystem::path& file) {
-  static_cast<void>(io::read_whole(file));  // reports why a file cannot be read
-  auto mesh =
-      mesh_of_bytes<HexahedralMesh>(io::read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file).read()); }));
+  const std::string content = io::read_whole(file);
+  auto mesh = mesh_of_bytes<HexahedralMesh>(
+      io::read_in_child(file, "VTK", [&] { return mesh_bytes(VtuMeshReader(file, content).read()); }));
   require_no_inverted_elements(mesh, file.string());
   require_whole_boundary(mesh, file.string());
   require_closed_chambers(mesh, file.string());

@@ -461,6 +461,12 @@ TEST_F(EvolveOnElements, RobotsOfAnySearchWalkAsAnotherStudySays) {
   ASSERT_EQ(one.row_count(), 2U);
   EXPECT_EQ(one.text(0, "individual"), second);
   EXPECT_EQ(one.text(0, "score_body_lengths"), best.text(2, "score_body_lengths"));
+  const auto inputs_of = [&](const char* manifest) {
+    const std::string text = io::read_whole(folder_ / manifest);
+    return text.substr(0, text.find("\"parameters\""));
+  };
+  EXPECT_EQ(inputs_of("one.manifest.json"), inputs_of("best.manifest.json"))
+      << "an archive that has gained walks is the same search";
   const Outcome unknown = run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", "100000", "-o", "none.csv"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.err.find("--individuals 100000"), std::string::npos) << unknown.err;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -11,6 +12,7 @@
 #include "io/text/whole_file.h"
 #include "materials/laws/homogeneous_deformations.h"
 #include "materials/laws/law_file.h"
+#include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
 namespace menger {
@@ -32,11 +34,11 @@ class FitProgram : public testing::Test {
   [[nodiscard]] std::string text(const char* name) const { return io::read_whole(folder_ / name); }
 
   /// Writes a tensile test of an Ogden body in which every tenth stress is too high by 100 Pa.
-  void write_test(double offset_Pa = 0.0) const {
+  void write_test(double offset_Pa = 0.0, int rows = 75) const {
     const materials::Ogden<1> law{{materials::OgdenTerm{25e3, 3.25}}};
     std::string csv = "strain,stress_kPa\n";
-    for (int i = 1; i <= 75; ++i) {
-      const double strain = 0.02 * i;
+    for (int i = 1; i <= rows; ++i) {
+      const double strain = 1.5 * i / rows;
       const double stress = materials::nominal_stress(law, materials::LoadingMode::uniaxial, 1.0 + strain).stress_Pa;
       csv += io::number_text(strain) + "," + io::number_text(1e-3 * (stress + offset_Pa + (i % 10 == 0 ? 100.0 : 0.0))) + "\n";
     }
@@ -113,6 +115,15 @@ TEST_F(FitProgram, LeavesWithTwoAndAMessageOnBadInput) {
     EXPECT_FALSE(fs::exists(folder_ / "fits")) << arguments;
   }
   EXPECT_EQ(run("test.csv -o test.csv/below"), 2);
+}
+
+TEST_F(FitProgram, LeavesSoonAfterAnInterrupt) {
+  write_test(0.0, 20000);
+  const test_support::ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-fit", {"test.csv", "-o", "fits", "--no-pictures"});
+  program.wait_for_processor_seconds(0.3);
+  program.send(SIGINT);
+  const test_support::Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.code, 130) << outcome.signal << outcome.err;
 }
 
 TEST_F(FitProgram, LeavesWithThreeIfNoLawIsToBeUsed) {

@@ -392,6 +392,8 @@ TEST_F(InflateProgram, FullDiskEndsTheRunWithAMessageAndKeepsWhatWasThere) {
   umount(disk.c_str());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
+  for (const char* noise : {"vtk", "ERROR:", "PETSC", "Warning"})
+    EXPECT_EQ(outcome.err.find(noise), std::string::npos) << "the library says it, too: " << outcome.err;
   EXPECT_EQ(curves_text.back(), '\n') << "a table that was there is whole";
 }
 

@@ -4,7 +4,8 @@ of an undisturbed run.
 
 Every command runs a study of a few seconds in a folder of its own. SIGKILL comes after a random time, at most as long as the
 undisturbed run took; then the same command is given again. When it ends by itself, every file is compared with that of the
-undisturbed run: bytes, except wall times (columns, keys and attributes that are called seconds, times and memory in manifests).
+undisturbed run: bytes, except wall times (columns, keys and attributes that are called seconds, times and memory in manifests) and
+what they decide.
 Archives are compared row by row. Files that only the killed runs left, such as temporary ones, count as a difference, too.
 """
 
@@ -136,14 +137,15 @@ def cases(source):
 
 # What is not a result: logs of other programs, and what a run goes on from, whose wall times are part of its bytes.
 NO_RESULTS = re.compile(r'(^|/)(stdout\.txt|stderr\.txt|out\.txt|err\.txt|load_cases(_errors)?\.txt|run\.toml)$|\.checkpoint$')
-WALL_TIMES = {'seconds', 'cpu_seconds', 'peak_memory_MB', 'peak_memory_bytes'}
+WALL_TIMES = {'seconds', 'cpu_seconds', 'peak_memory_MB', 'peak_memory_bytes', 'elements_seconds', 'surrogate_seconds'}
+BY_WALL_TIMES = {'role'}  # of a fidelity in a trade-off, whose cost is time
 
 
 def table_content(text):
     rows = list(csv.reader(io.StringIO(text)))
     if not rows:
         return text
-    kept = [n for n, column in enumerate(rows[0]) if column not in WALL_TIMES]
+    kept = [n for n, column in enumerate(rows[0]) if column not in WALL_TIMES | BY_WALL_TIMES]
     return [[row[n] for n in kept if n < len(row)] for row in rows]
 
 

@@ -191,6 +191,20 @@ TEST_F(LocomoteProgram, RefusesWhatSeveralProcessesCannotShare) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
+TEST_F(LocomoteProgram, BodyThatDoesNotFitIntoMemoryIsRefusedWithTheKeysThatDecideIt) {
+  write_study("implicit.toml", "0.05", "[dynamics]\nmethod = \"implicit\"\ndegree = 2\n");
+  std::string study = io::read_whole(folder_ / "implicit.toml");
+  study.insert(study.find("[material]"), "elements_through_wall = 8\n");
+  io::write_whole(folder_ / "implicit.toml", study);
+  const std::string limited = "ulimit -d 3000000; exec '" MENGER_PROGRAM_DIR "/menger-locomote' implicit.toml -o out";
+  const Outcome outcome = ProgramRun(folder_, "/bin/sh", {"-c", limited}).wait();
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  for (const char* words :
+       {"implicit.toml: ", "unknowns of", "GB of memory", "dynamics.degree = 2", "design.elements_through_wall = 8"})
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(LocomoteProgram, RefusesWhatImplicitDynamicsHasNot) {
   write_study("implicit.toml", "0.05", "[dynamics]\nmethod = \"implicit\"\nself_contact = true\n");
   const Outcome outcome = run({"implicit.toml", "-o", "out"});

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <iterator>
+#include <variant>
 #include <vector>
 
 #include "evolution/reference/reevaluation_runner.h"
@@ -73,6 +74,10 @@ TEST(KeptWalk, GoesOnFromItsCheckpointAndLeavesADamagedOneAside) {
   EXPECT_EQ(resumed.status, io::RunStatus::completed);
   EXPECT_EQ(centres_of(resumed), centres_of(whole));
   EXPECT_GT(resumed.seconds, 1000.0);
+
+  std::get<fem::ExplicitState>(progress.state).velocities_m_per_s.clear();
+  fem::write_locomotion_checkpoint(checkpoint, fem::locomotion_identity(prepared, *dynamics), progress);
+  EXPECT_EQ(centres_of(kept_walk(job(), folder.path(), goes_on)), centres_of(whole)) << "of another body";
 
   io::write_whole(checkpoint, "damaged");
   const fem::LocomotionResult anew = kept_walk(job(), folder.path(), goes_on);

@@ -6,7 +6,9 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "fem/locomotion/locomotion_run.h"
@@ -104,6 +106,28 @@ TEST_F(ImplicitLocomotion, GoesOnWhereItWasStoppedAsIfNothingHadHappened) {
   EXPECT_GE(files.size(), 8U);
   for (const fs::path& file : files)
     EXPECT_EQ(io::read_whole(folder_ / "whole" / file), io::read_whole(folder_ / "parts" / file)) << file;
+}
+
+TEST_F(ImplicitLocomotion, TakesUpNoStateOfAnotherBody) {
+  const LocomotionStudy study = sample_study(cube_study + implicit);
+  const auto dynamics = make_implicit_locomotion(study, nullptr);
+  ASSERT_EQ(dynamics->advance_to(1e-3).status, io::RunStatus::completed);
+  const WalkState whole = dynamics->state();
+  EXPECT_EQ(dynamics->misfit(whole), "");
+  const auto misfit = [&](const auto& change) {
+    ImplicitState changed = std::get<ImplicitState>(whole);
+    change(changed);
+    return dynamics->misfit(changed);
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto holds = [](const std::string& reason, const char* words) { return reason.find(words) != std::string::npos; };
+  EXPECT_TRUE(holds(misfit([](ImplicitState& s) { s.displacements_m.pop_back(); }), "displacements_m has"));
+  EXPECT_TRUE(holds(misfit([&](ImplicitState& s) { s.velocities_m_per_s[0] = none; }), "velocities_m_per_s holds"));
+  EXPECT_TRUE(holds(misfit([](ImplicitState& s) { s.accelerations_m_per_s2.resize(3); }), "accelerations_m_per_s2 has"));
+  EXPECT_TRUE(holds(misfit([](ImplicitState& s) { s.ground_nodes.resize(1); }), "ground_nodes has"));
+  EXPECT_TRUE(holds(misfit([&](ImplicitState& s) { s.ground_nodes[0].anchor_m[0] = none; }), "anchor_m holds"));
+  EXPECT_TRUE(holds(misfit([&](ImplicitState& s) { s.next_step_s = none; }), "time_s holds"));
+  EXPECT_TRUE(holds(dynamics->misfit(ExplicitState{}), "explicit"));
 }
 
 // See LocomotionRun.EndsBeyondTheLimitPressureWithAStatus.

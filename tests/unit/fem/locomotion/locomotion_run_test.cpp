@@ -6,11 +6,15 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
+#include "fem/locomotion/locomotion_checkpoint.h"
 #include "fem/walk/walk.h"
 #include "io/text/csv_table.h"
 #include "io/text/number_text.h"
@@ -25,6 +29,10 @@ namespace {
 namespace fs = std::filesystem;
 using namespace locomotion_samples;
 using tests::message_of;
+
+const std::string piston_drive =
+    "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"piston\"\npiston = \"cam\"\nresistance_Pa_s_per_m3 = 1e8\nvolume_m3 = 1e-6\n"
+    "[[piston]]\nname = \"cam\"\nbore_m = 0.006\ncylinder_length_m = 0.02\nstroke_m = 0.01\nfrequency_Hz = 20\n";
 
 class LocomotionRun : public testing::Test {
  protected:
@@ -139,11 +147,7 @@ TEST_F(LocomotionRun, GivesTheSameBytesForAnyNumberOfThreads) {
 // Stopped after each of its records but the last, and taken up again each time; air that a piston pushes through a line has a
 // state of its own.
 TEST_F(LocomotionRun, GoesOnWhereItWasStoppedAsIfNothingHadHappened) {
-  const std::string piston =
-      "[[pressure]]\nplenum = \"plenum 0\"\nsupply = \"piston\"\npiston = \"cam\"\nresistance_Pa_s_per_m3 = 1e8\nvolume_m3 = "
-      "1e-6\n"
-      "[[piston]]\nname = \"cam\"\nbore_m = 0.006\ncylinder_length_m = 0.02\nstroke_m = 0.01\nfrequency_Hz = 20\n";
-  for (const std::string& driven : {drive, piston}) {
+  for (const std::string& driven : {drive, piston_drive}) {
     const std::string study = hook + silicone + ground + driven + short_time + no_pictures;
     const LocomotionResult whole = run(study, "whole", {.restart = true});
     EXPECT_NE(whole.records.back().plenum_pressures_Pa[0], 0.0);
@@ -162,6 +166,57 @@ TEST_F(LocomotionRun, GoesOnWhereItWasStoppedAsIfNothingHadHappened) {
     EXPECT_EQ(stops, 10U) << "nine stops between ten records, and the end";
     expect_same_files("whole", "parts");
   }
+}
+
+// The file is whole and of the study, but what it holds may be anything: no number of it is taken without a look at the body.
+TEST_F(LocomotionRun, RefusesACheckpointThatDoesNotFitTheBodyAndTouchesNothing) {
+  const std::string text = hook + rubber + ground + piston_drive + short_time + no_pictures;
+  ASSERT_EQ(run(text, "out").status, io::RunStatus::completed);
+  const fs::path checkpoint = folder_ / "out/locomotion.checkpoint";
+  const std::string trajectory = io::read_whole(folder_ / "out/trajectory.csv");
+  const LocomotionStudy study = sample_study(text);
+  const std::string identity = locomotion_identity(study, *explicit_walk_dynamics(study, nullptr));
+  const WalkProgress whole = read_locomotion_checkpoint(checkpoint, identity).value();
+  ASSERT_TRUE(std::get<ExplicitState>(whole.state).branches && std::get<ExplicitState>(whole.state).pneumatics);
+  const auto expect_refused = [&](const std::string& reason, const auto& change) {
+    WalkProgress changed = whole;
+    change(changed, std::get<ExplicitState>(changed.state));
+    write_locomotion_checkpoint(checkpoint, identity, changed);
+    const std::string message = message_of([&] { run(text, "out"); });
+    EXPECT_NE(message.find("locomotion.checkpoint: does not fit the walk: " + reason), std::string::npos) << message;
+    EXPECT_NE(message.find("; give --restart"), std::string::npos) << message;
+    EXPECT_EQ(io::read_whole(folder_ / "out/trajectory.csv"), trajectory) << reason;
+    EXPECT_TRUE(fs::exists(folder_ / "out/locomotion.toml")) << reason;
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  expect_refused("displacements_m has ", [](WalkProgress&, ExplicitState& s) { s.displacements_m.resize(12); });
+  expect_refused("velocities_m_per_s has ", [](WalkProgress&, ExplicitState& s) { s.velocities_m_per_s.push_back(0.0); });
+  expect_refused("velocities_m_per_s holds a number that is not finite",
+                 [&](WalkProgress&, ExplicitState& s) { s.velocities_m_per_s.back() = none; });
+  expect_refused("time_s holds", [&](WalkProgress&, ExplicitState& s) { s.stable_step_s = none; });
+  expect_refused("the length of its steps", [](WalkProgress&, ExplicitState& s) { s.steps_to_bound = 0; });
+  expect_refused("work holds", [&](WalkProgress&, ExplicitState& s) { s.work.friction_J = none; });
+  expect_refused("energy holds", [&](WalkProgress&, ExplicitState& s) { s.at_start_J = none; });
+  expect_refused("plenum_air_m3 has ", [](WalkProgress&, ExplicitState& s) { s.pneumatics->plenum_air_m3.clear(); });
+  constexpr std::uint32_t nowhere = 4'000'000'000;
+  for (const std::vector<ContactMemory>& memories : std::vector<std::vector<ContactMemory>>{
+           {{.node = nowhere}}, {{.face = nowhere}}, {{.depth_m = none}}, {{.node = 1}, {.node = 1}}}) {
+    expect_refused("contact is not that of the body's surface", [&](WalkProgress&, ExplicitState& s) { s.contact = memories; });
+  }
+  expect_refused("branches has ", [](WalkProgress&, ExplicitState& s) {
+    std::visit([](auto& numbers) { numbers.pop_back(); }, s.branches->numbers);
+  });
+  expect_refused("pressures_Pa has ", [](WalkProgress&, ExplicitState& s) { s.pressures_Pa.push_back(0.0); });
+  expect_refused("element ", [](WalkProgress&, ExplicitState& s) { s.displacements_m[2] = 1.0; });
+  expect_refused("it is a state of implicit dynamics", [](WalkProgress& p, ExplicitState&) { p.state = ImplicitState{}; });
+  expect_refused("it has 0 records", [](WalkProgress& p, ExplicitState&) { p.records.clear(); });
+  expect_refused("it has 11 records", [](WalkProgress& p, ExplicitState&) { p.outcome.reset(); });
+  expect_refused("the times of its records", [](WalkProgress& p, ExplicitState&) { p.records[1].time_s = 0.0; });
+  expect_refused("its records are of other chambers",
+                 [](WalkProgress& p, ExplicitState&) { p.records[3].chamber_volumes_m3.clear(); });
+  expect_refused("its wall time", [&](WalkProgress& p, ExplicitState&) { p.seconds = none; });
+  write_locomotion_checkpoint(checkpoint, identity, whole);
+  EXPECT_EQ(run(text, "out").status, io::RunStatus::completed);
 }
 
 // Stopped by the clock, in the middle of its only record after the start.

@@ -66,6 +66,7 @@ TEST(PneumaticSupplyFile, BadInputNamesFileKeyAndValue) {
   };
   EXPECT_EQ(message(cam + on_cam + resistance), "no error");
   has(cam + on_cam + "resistance_Pa_s_per_m3 = -1\n", "resistance_Pa_s_per_m3 = -1");
+  has(cam + on_cam + "resistance_Pa_s_per_m3 = 1e300\n", "resistance_Pa_s_per_m3 = 1e+300: must be at most 1e+21 Pa s/m3");
   has(cam + on_cam, "resistance_Pa_s_per_m3");
   has(cam + on_cam + "length_m = 1\n", "diameter_m");
   has(cam + on_cam + "length_m = 1\ndiameter_m = 1e-3\n" + resistance, "resistance_Pa_s_per_m3");

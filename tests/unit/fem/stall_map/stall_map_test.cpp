@@ -226,6 +226,7 @@ TEST_F(StallMapFile, BadInputIsNamed) {
   refuses("longest = 0.1", "longest = 0.125", "longest = 0.125");
   refuses("volume_m3 = 1e-6\n", "\n", "leaves no room for the air");
   refuses("highest = 1e9", "highest = 1e5", "highest = 1e+05");
+  refuses("highest = 1e9", "highest = 1e300", "highest = 1e+300");
   refuses("frequency_Hz = 3", "frequency_Hz = 2", "frequency_Hz = 2");
   refuses("[1.2, 3]", "[]", "frequencies_Hz");
   refuses("[1.2, 3]", "[3, 1.2, 3]", "must not hold a value twice");

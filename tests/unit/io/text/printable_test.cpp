@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/text/input_error.h"
-
 namespace menger::io {
 namespace {
 
@@ -48,11 +46,6 @@ TEST(Printable, FindsACharacterThatIsCutOff) {
   EXPECT_EQ(unfinished_bytes("a\xE2\x82"), 2U);
   EXPECT_EQ(unfinished_bytes("\xF0\x9F\x98"), 3U);
   EXPECT_EQ(unfinished_bytes("\x82\x82\x82\x82"), 0U) << "no start";
-}
-
-TEST(InputErrorMessage, HoldsNothingThatATerminalObeys) {
-  EXPECT_STREQ(InputError("a.csv:2: kind = \x1b]0;title\x07: is no kind").what(),
-               "a.csv:2: kind = \\u001B]0;title\\u0007: is no kind");
 }
 
 }  // namespace

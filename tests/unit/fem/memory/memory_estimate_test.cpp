@@ -1,4 +1,4 @@
-#include "fem/inflation/memory_estimate.h"
+#include "fem/memory/memory_estimate.h"
 
 #include <gtest/gtest.h>
 
