@@ -189,6 +189,14 @@ std::string finding_html(const Finding& finding) {
   return text + "</div></li>\n";
 }
 
+std::string headline_html(const Verdict& verdict) {
+  const std::string tone = to_string(verdict.tone);
+  if (verdict.came_out.empty()) return "<p class=\"headline " + tone + "\">" + html_text(verdict.headline) + "</p>\n";
+  std::string text = "<div class=\"headline " + tone + "\"><p>What came out:</p><ul>\n";
+  for (const std::string& line : verdict.came_out) text += "<li>" + html_text(line) + "</li>\n";
+  return text + "</ul></div>\n";
+}
+
 std::string verdict_html(const Verdict& verdict) {
   std::string found;
   std::string missing;
@@ -197,8 +205,7 @@ std::string verdict_html(const Verdict& verdict) {
     (finding.tone == Tone::missing ? missing : found) += finding_html(finding);
     if (finding.tone == Tone::missing) ++missing_count;
   }
-  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n<p class=\"headline " + std::string(to_string(verdict.tone)) +
-                     "\">" + html_text(verdict.headline) + "</p>\n";
+  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n" + headline_html(verdict);
   // A long list of what is not there would hide what is.
   constexpr std::size_t most_open = 2;
   const bool is_open = missing_count <= most_open || found.empty();

@@ -31,7 +31,8 @@ struct Finding {
 
 /// The verdict: what the results say, in words.
 struct Verdict {
-  std::string headline{};  ///< one or two sentences
+  std::string headline{};               ///< one or two sentences
+  std::vector<std::string> came_out{};  ///< what the loop said of these results; if there are some, they stand for the headline
   Tone tone = Tone::missing;
   std::vector<Finding> findings{};
 };

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/command_outputs.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
@@ -40,6 +41,20 @@ std::optional<std::string> read_picture(const fs::path& file, std::size_t most_b
     notes.emplace_back(error.what());
   }
   return std::nullopt;
+}
+
+/// What the loop that made these results said of them; nothing if no loop did, or if they have changed since.
+std::vector<std::string> came_out(const fs::path& folder, std::vector<std::string>& notes) {
+  try {
+    std::optional<LoopVerdict> verdict = read_loop_verdict(folder);
+    if (!verdict) return {};
+    if (verdict->is_current(folder)) return std::move(verdict->lines);
+    notes.push_back(std::string(loop_verdict_name) +
+                    ": what the loop said came out is of earlier results, and is left out; run menger loop again");
+  } catch (const io::InputError& error) {
+    notes.emplace_back(error.what());
+  }
+  return {};
 }
 
 /// The pictures of bodies that commands drew; charts are drawn anew by the page. Each is taken once, where several commands wrote
@@ -168,6 +183,7 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   page.title = title_of(folder, outputs);
   page.made = made_text(folder, outputs.size());
   page.verdict = verdict_of(read_facts(outputs, page.notes));
+  page.verdict.came_out = came_out(folder, page.notes);
   page.sections = report_sections(outputs, page.notes);
   tell("read motions", 0.1);
   // In base64 bytes take a third more; the rest is for three.js, tables and pictures.

@@ -107,7 +107,13 @@ ValidationFacts validation_facts(const CommandOutput& output) {
   const io::CsvContents signs = io::read_csv(signs_file);
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     facts.signs += count_in(signs, row, "count");
-    facts.wrong_signs += count_in(signs, row, "wrong");
+    const std::size_t wrong = count_in(signs, row, "wrong");
+    facts.wrong_signs += wrong;
+    if (wrong == 0) continue;
+    std::string way = facts.bodies > 1 ? text_in(signs, row, "body") + " " : "";
+    way += io::shown_column(text_in(signs, row, "observable")).quantity + " (" + std::to_string(wrong) + " of " +
+           text_in(signs, row, "count") + ")";
+    facts.wrong_ways.push_back(std::move(way));
   }
   return facts;
 }

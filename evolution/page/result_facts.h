@@ -53,9 +53,10 @@ struct ValidationFacts {
   std::size_t bodies = 0;
   ErrorFact displacement{};
   ErrorFact volume{};
-  std::size_t outside = 0;      ///< numbers outside the range of validity
-  std::size_t signs = 0;        ///< displacements that are large enough to have a direction
-  std::size_t wrong_signs = 0;  ///< of these, those that go the other way in the surrogate
+  std::size_t outside = 0;                ///< numbers outside the range of validity
+  std::size_t signs = 0;                  ///< displacements that are large enough to have a direction
+  std::size_t wrong_signs = 0;            ///< of these, those that go the other way in the surrogate
+  std::vector<std::string> wrong_ways{};  ///< "extent y (5 of 5)": displacements of one kind that go the wrong way
 };
 
 enum class WalkModel { elements, surrogate, voxels };

@@ -6,10 +6,13 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
 
+#include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/walk_animation.h"
+#include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
@@ -81,6 +84,29 @@ TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
   EXPECT_EQ(text.size(), result.bytes);
   EXPECT_NE(text.find("Walk of cube: finite elements and voxels"), std::string::npos);
   EXPECT_EQ(result.verdict.headline, "The surrogate walks as finite elements do.");
+}
+
+TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
+  const tests::TestFolder folder;
+  write_walk(folder / "locomote", "menger-locomote", "cube");
+  const auto loop_says = [&](const std::string& manifest) {
+    const std::map<std::string, std::string> results{{manifest, io::file_hash(folder / "locomote/manifest.json")}};
+    write_loop_verdict(folder, {.lines = {"The body bears its <pressure>.", "It walks."}, .results = results});
+  };
+  loop_says("locomote/manifest.json");
+  EXPECT_EQ(write_report(folder, quick()).verdict.came_out,
+            (std::vector<std::string>{"The body bears its <pressure>.", "It walks."}));
+  const std::string page = io::read_whole(folder / "report.html");
+  const std::size_t first = page.find("<li>The body bears its &lt;pressure&gt;.</li>\n<li>It walks.</li>");
+  EXPECT_LT(first, page.find("class=\"findings\""));
+  EXPECT_EQ(page.find("class=\"headline missing\">Nothing"), std::string::npos) << "the loop's words stand for the headline";
+
+  loop_says("simulate/manifest.json");
+  const ReportResult stale = write_report(folder, quick());
+  EXPECT_TRUE(stale.verdict.came_out.empty());
+  EXPECT_TRUE(has_note(stale, "is of earlier results"));
+  io::write_whole(folder / loop_verdict_name, "{}");
+  EXPECT_TRUE(has_note(write_report(folder, quick()), "is no verdict of a loop"));
 }
 
 TEST(ReportRun, IsAboutTheOnlyBodyAndTellsItsScenesApart) {
