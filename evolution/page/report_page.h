@@ -12,6 +12,7 @@ namespace menger::evolution {
 
 /// What a finding means for the use of the results.
 enum class Tone {
+  note,     ///< to be known, without a judgement
   good,     ///< can be relied on
   caution,  ///< to be used with care
   bad,      ///< not to be relied on
@@ -84,8 +85,9 @@ struct PageChart {
 
 /// A PNG picture of the results.
 struct PagePicture {
-  std::string caption{};
-  std::string png{};  ///< the bytes of the file
+  std::string caption{};  ///< what it shows
+  std::string file{};     ///< where it lies, from the folder of the report
+  std::string png{};      ///< the bytes of the file
 };
 
 /// A body that moves, as the page draws it: the quadrilaterals of its surface and its corners at some times.
@@ -130,8 +132,10 @@ struct PageSection {
 /// Everything that the page shows.
 struct ReportPage {
   std::string title{};
-  std::string made{};  ///< by which version, of which folder
+  std::string made{};    ///< by which version, of which folder
+  std::string folder{};  ///< of the report, from that of the page; links to sources begin with it
   Verdict verdict;
+  PageTable inputs{};  ///< what the results were computed from
   std::vector<PageScene> scenes{};
   std::vector<PageSection> sections{};
   std::vector<PagePicture> pictures{};

@@ -235,6 +235,21 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   return {Tone::caution, text, walk.source};
 }
 
+/// Whether a walk goes to and fro: where it ends, and so its direction, depends on when one looks.
+bool goes_to_and_fro(const WalkFacts& walk) {
+  if (!walk.body_lengths || !walk.lowest_lengths || !walk.highest_lengths) return false;
+  return *walk.lowest_lengths < -meshes::walk_limits::least_body_lengths ||
+         *walk.highest_lengths > std::max(2.0 * *walk.body_lengths, *walk.body_lengths + meshes::walk_limits::least_body_lengths);
+}
+
+Finding to_and_fro_finding(const WalkFacts& walk, const std::string& begin) {
+  return {Tone::caution,
+          begin + "The walk on " + to_string(walk.model) + " goes to and fro: along the line to its end it is between " +
+              io::shown(*walk.lowest_lengths, 2) + " and " + io::body_lengths(*walk.highest_lengths) + ", and ends at " +
+              io::shown(*walk.body_lengths, 2) + ". Its direction and distance depend on when one looks.",
+          walk.source};
+}
+
 bool has_walked(const WalkFacts& walk) { return walk.body_lengths && walk.per_minute; }
 
 /// @pre both have walked
@@ -277,8 +292,8 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     if (elements.per_minute) judged.surrogate = Tone::bad;
     return judged;
   }
-  text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) +
-          " " + other;
+  text += (goes_nowhere(elements) || goes_nowhere(surrogate) ? "It moves " : "It walks ") + speed_text(*elements.per_minute) +
+          " on finite elements and " + speed_number(*surrogate.per_minute) + " " + other;
   const meshes::WalkAgreement agreement = agreement_of(elements, surrogate);
   const bool both_walk =
       agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
@@ -287,7 +302,7 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
   }
   if (!is_known)
-    return conclude(Tone::caution, std::nullopt,
+    return conclude(Tone::note, std::nullopt,
                     ". Finite elements do not agree on this walk, so this says nothing of the surrogate.");
   switch (agreement) {
     case meshes::WalkAgreement::alike:
@@ -444,6 +459,26 @@ struct WalkTrust {
   std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
 };
 
+/// Adds what the surrogate of a walk is expected to be off, beside what was measured on one body. Where no other body is known,
+/// the expected error is that measured one, which has a finding of its own.
+void add_expected_errors(const WalkFacts& walk, const std::vector<ValidationFacts>& validations, const std::string& begin,
+                         std::vector<Finding>& findings) {
+  const bool is_measured = validations.size() == 1 && validations.front().bodies == 1 && validations.front().displacement.median;
+  const auto is_of_one = [](const std::string& line) { return line.find("over 1 body") != std::string::npos; };
+  if (is_measured && std::ranges::any_of(walk.expected_error, is_of_one)) return;
+  for (const std::string& line : walk.expected_error) {
+    Finding finding{Tone::caution, begin + sentence_of(line), walk.source};
+    if (is_measured && line.starts_with("expected error")) {
+      const ValidationFacts& own = validations.front();
+      finding.text += " Measured on this body: " + io::percents(*own.displacement.median) + " in displacement";
+      if (own.volume.median) finding.text += " and " + io::percents(*own.volume.median) + " in chamber volume";
+      finding.text += ".";
+      finding.source += ", " + own.source;
+    }
+    findings.push_back(std::move(finding));
+  }
+}
+
 /// Adds the findings on walks.
 WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   WalkTrust trust;
@@ -467,13 +502,13 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
         std::ranges::any_of(pairs, [&](const WalkPair& pair) { return pair.first == &walk || pair.second == &walk; });
     const std::string begin = label_of(walk, facts.walks);
     if (!is_paired) findings.push_back(walk_finding(walk, begin));
+    if (goes_to_and_fro(walk)) findings.push_back(to_and_fro_finding(walk, begin));
     for (const std::string& line : walk.outside_validity) {
       findings.push_back({Tone::caution,
                           std::string(begin).append("Beyond what the surrogate was fitted to: ").append(line).append("."),
                           walk.source});
     }
-    for (const std::string& line : walk.expected_error)
-      findings.push_back({Tone::caution, begin + sentence_of(line), walk.source});
+    add_expected_errors(walk, facts.validations, begin, findings);
   }
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
   const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
@@ -604,6 +639,8 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
 
 const char* to_string(Tone tone) {
   switch (tone) {
+    case Tone::note:
+      return "note";
     case Tone::good:
       return "good";
     case Tone::caution:
@@ -626,7 +663,10 @@ Verdict verdict_of(const ReportFacts& facts) {
   for (const ValidationFacts& validation : facts.validations) findings.push_back(validation_finding(validation));
   if (facts.validations.empty()) findings.push_back(missing("How far the surrogate's shapes are off", "validate"));
   for (const CalibrationFacts& calibration : facts.calibrations) findings.push_back(calibration_finding(calibration));
-  if (facts.calibrations.empty()) findings.push_back(missing("A calibration of the surrogate", "calibrate"));
+  for (const ShippedParameters& shipped : facts.shipped)
+    findings.push_back({Tone::note, "The parameters of the surrogate came with menger: " + shipped.file + ".", shipped.source});
+  if (facts.calibrations.empty() && facts.shipped.empty())
+    findings.push_back(missing("A calibration of the surrogate", "calibrate"));
   for (const SearchFacts& search : facts.searches) findings.push_back(search_finding(search, facts.searches.size() > 1));
   for (const RankingFacts& ranking : facts.rankings) findings.push_back(ranking_finding(ranking));
   if (!facts.searches.empty() && facts.rankings.empty())

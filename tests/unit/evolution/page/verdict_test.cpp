@@ -245,6 +245,50 @@ TEST(Verdict, RepeatsTheExpectedErrorOfTheSurrogate) {
   EXPECT_NE(finding_with(verdict, "Beyond what the surrogate was fitted to: level 1: pressure 7 kPa.").text, "");
 }
 
+TEST(Verdict, PutsTheMeasuredErrorBesideTheExpectedOne) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::surrogate, 0.8, 0.0)};
+  facts.walks[0].expected_error = {"expected error for a block: 9.3 % in displacement (median over 7 bodies of this kind)",
+                                   "warning: 10 of 248 displacements went the wrong way"};
+  facts.validations = {
+      {.source = "validate/summary.csv", .bodies = 1, .displacement = {.count = 30, .median = 0.26}, .volume = {.median = 0.05}}};
+  const Finding finding = finding_with(verdict_of(facts), "Expected error for a block");
+  EXPECT_TRUE(finding.text.ends_with(" Measured on this body: 26 % in displacement and 5 % in chamber volume.")) << finding.text;
+  EXPECT_TRUE(finding.source.ends_with(", validate/summary.csv")) << finding.source;
+  EXPECT_EQ(finding_with(verdict_of(facts), "Warning: 10 of 248").text.find("Measured"), std::string::npos);
+  // After a fit the only body of its kind is the robot itself.
+  facts.walks[0].expected_error[0] = "expected error for a block: 26 % in displacement (median over 1 body of this kind)";
+  EXPECT_EQ(finding_with(verdict_of(facts), "Expected error").text, "");
+  EXPECT_EQ(finding_with(verdict_of(facts), "Warning: 10").text, "");
+  EXPECT_NE(finding_with(verdict_of(facts), "shapes are 26 % off").text, "");
+}
+
+TEST(Verdict, SaysThatParametersCameWithMenger) {
+  ReportFacts facts = two_walks(0.8, 0.0, 0.8, 0.0);
+  EXPECT_EQ(finding_with(verdict_of(facts), "A calibration of the surrogate").tone, Tone::missing);
+  facts.shipped = {{.file = "ecoflex_00_30_12mm.toml", .source = "simulate/manifest.json"}};
+  EXPECT_EQ(finding_with(verdict_of(facts), "A calibration of the surrogate").text, "");
+  const Finding finding = finding_with(verdict_of(facts), "came with menger: ecoflex_00_30_12mm.toml.");
+  EXPECT_EQ(finding.tone, Tone::note);
+  EXPECT_EQ(finding.source, "simulate/manifest.json");
+}
+
+TEST(Verdict, SaysThatAWalkGoesToAndFro) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::elements, 0.15, 0.0)};
+  facts.walks[0].lowest_lengths = -0.02;
+  facts.walks[0].highest_lengths = 0.17;
+  EXPECT_EQ(finding_with(verdict_of(facts), "to and fro").text, "");
+  facts.walks[0].lowest_lengths = -0.24;
+  EXPECT_EQ(
+      finding_with(verdict_of(facts), "to and fro").text,
+      "The walk on finite elements goes to and fro: along the line to its end it is between -0.24 and 0.17 body lengths, and "
+      "ends at 0.15. Its direction and distance depend on when one looks.");
+  facts.walks[0].lowest_lengths = 0.0;
+  facts.walks[0].highest_lengths = 0.4;
+  EXPECT_NE(finding_with(verdict_of(facts), "to and fro").text, "") << "it comes back to less than half of its way";
+}
+
 TEST(Verdict, JudgesShapesByTheirMedianError) {
   ReportFacts facts;
   facts.validations = {{.source = "validate/summary.csv",
@@ -348,7 +392,7 @@ TEST(Verdict, SaysThatAWalkIsNotKnownWhereFiniteElementsDisagree) {
       "2 walks on finite elements, of one body driven alike (locomote and locomote_finer): 3 and 9.6 body lengths a minute, "
       "176 degrees apart. How it walks is not known: chance decides such a walk.");
   EXPECT_EQ(finding_with(verdict, "2 walks on finite elements").tone, Tone::bad);
-  EXPECT_EQ(finding_with(verdict, "so this says nothing of the surrogate").tone, Tone::caution);
+  EXPECT_EQ(finding_with(verdict, "so this says nothing of the surrogate").tone, Tone::note);
   EXPECT_EQ(finding_with(verdict, "Do not trust the surrogate").text, "") << "nothing is known that it could be compared with";
 }
 
