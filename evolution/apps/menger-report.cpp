@@ -58,7 +58,8 @@ int report(Arguments& arguments) {
   arguments.options.progress = [&](const std::string& doing, double share) { bar.update(share, doing); };
   const ReportResult result = write_report(arguments.folder, arguments.options);
   bar.update(1.0, "done");
-  std::cout << result.verdict.headline << "\n";
+  if (result.verdict.came_out.empty()) std::cout << result.verdict.headline << "\n";
+  for (const std::string& line : result.verdict.came_out) std::cout << line << "\n";
   for (const Finding& finding : result.verdict.findings) std::cout << "  " << finding.text << "\n";
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
   for (const fs::path& animation : result.animations) std::cout << "written to " << animation.string() << "\n";

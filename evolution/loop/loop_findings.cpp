@@ -14,6 +14,7 @@
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"
+#include "meshes/load_cases/shape_agreement.h"
 #include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
@@ -224,9 +225,6 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   return "";
 }
 
-/// Above this share of the limit pressure small faults of a cast wall decide.
-constexpr double largest_safe_share = 0.8;
-
 meshes::WalkAgreement agreement(const Walk& one, const Walk& other) {
   const auto outcome = [](const Walk& walk) { return meshes::WalkOutcome{walk.body_lengths, walk.time_s, walk.direction_deg()}; };
   return meshes::compare_walks(outcome(one), outcome(other));
@@ -249,8 +247,7 @@ std::string both(const Walk& one, const Walk& other) {
 
 std::string shape_verdict(const ShapeErrors& errors) {
   if (!errors.displacement) return "The surrogate gives this body no shape that can be compared.";
-  constexpr double largest_error = 0.15;
-  if (*errors.displacement <= largest_error && errors.wrong_signs == 0 && errors.is_inside)
+  if (*errors.displacement <= meshes::largest_shape_error && errors.wrong_signs == 0 && errors.is_inside)
     return "The surrogate takes the shape of this body well.";
   std::string reasons = "its shape is " + percents(*errors.displacement) + " off in the median";
   if (!errors.is_inside) reasons += ", all outside the range of the parameters";
@@ -274,10 +271,10 @@ std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot
            ").";
   if (!limit_Pa)
     return "The body bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + ".";
-  if (drive_Pa > largest_safe_share * *limit_Pa)
+  if (drive_Pa > meshes::largest_safe_share * *limit_Pa)
     return "The pressure is within " + percents(1.0 - drive_Pa / *limit_Pa) +
            " of ballooning: a thin spot in a cast wall decides.";
-  return "The body bears its pressure: up to " + kilopascals(largest_safe_share * *limit_Pa) +
+  return "The body bears its pressure: up to " + kilopascals(meshes::largest_safe_share * *limit_Pa) +
          " it is 20 % or more below ballooning.";
 }
 

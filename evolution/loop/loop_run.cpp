@@ -16,6 +16,7 @@
 #include "evolution/loop/loop_forecast.h"
 #include "evolution/loop/loop_stages.h"
 #include "evolution/loop/loop_state.h"
+#include "evolution/loop/loop_verdict_file.h"
 #include "io/process/child_program.h"
 #include "io/process/exit_code.h"
 #include "io/process/file_lock.h"
@@ -132,6 +133,7 @@ class LoopRun {
     int code = io::exit_code::done;
     for (std::size_t n = 0; n < stages_.size(); ++n) {
       const LoopStage& stage = stages_[n];
+      if (only_ == nullptr && stage.program == "menger-report") note_verdict();
       if (only_ == nullptr || only_ == &stage) {
         const int ended = run_stage(stage, n);
         if (ended == io::exit_code::interrupted) return leave_interrupted();
@@ -404,6 +406,16 @@ class LoopRun {
       if (const StageRecord* record = state_->find(stage.name)) manifest.seconds += record->seconds;
     }
     io::write_manifest(places_.results, manifest);
+  }
+
+  /// Leaves what came out for the report, which says it in the same words.
+  void note_verdict() const {
+    LoopVerdict verdict{.lines = loop_verdict(places_.results, robot_, current_)};
+    for (const LoopStage& stage : stages_) {
+      if (!current_.contains(stage.name)) continue;
+      if (const std::string hash = manifest_hash(stage); !hash.empty()) verdict.results[stage.manifest] = hash;
+    }
+    write_loop_verdict(places_.results, verdict);
   }
 
   void tell_end(int code) {

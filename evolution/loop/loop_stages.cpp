@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "evolution/loop/loop_verdict_file.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
 #include "io/text/near_miss.h"
@@ -127,6 +128,7 @@ class Stages {
     stage.arguments = {places_.results.string()};
     stage.manifest = "report.html";
     for (const LoopStage& other : stages_) stage.follows.push_back(other.name);
+    stage.reads.emplace_back(loop_verdict_name);
     stage.expected_s = report_s;
     stages_.push_back(stage);
   }

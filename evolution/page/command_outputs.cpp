@@ -103,6 +103,14 @@ void collect(const fs::path& folder, const fs::path& root, int depth, std::vecto
 
 }  // namespace
 
+std::string parameters_of_menger(const CommandOutput& output) {
+  for (const auto& [name, hash] : output.inputs) {
+    const fs::path file(name);
+    if (file.extension() == ".toml" && file.parent_path().filename() == "parameters") return file.filename().string();
+  }
+  return {};
+}
+
 std::string command_of(const CommandOutput& output) {
   constexpr std::string_view before = "menger-";
   return output.program.starts_with(before) ? output.program.substr(before.size()) : output.program;

@@ -39,6 +39,9 @@ std::string file_of(const CommandOutput& output, const std::string& file);
 /// The name under which people know the body of an output: that of its design, or else where the output is.
 std::string body_or_place(const CommandOutput& output);
 
+/// The file of voxel parameters that an output took from those that come with menger; empty if it took none of them.
+std::string parameters_of_menger(const CommandOutput& output);
+
 /// Reads a manifest. @return nothing if it is none: not JSON, or without the name of a program
 /// @throws io::InputError if it cannot be read
 std::optional<CommandOutput> read_command_output(const std::filesystem::path& manifest);

@@ -53,18 +53,17 @@ function drawSection(section, parent) {
   }
 }
 
-function drawPictures(data, parent, isOpen) {
+function drawPictures(data, parent) {
   if (!data.pictures.length) return;
   const made = element('section', {id: 'pictures', 'aria-labelledby': 'pictures-title'}, null, parent);
   element('h2', {id: 'pictures-title'}, 'Pictures', made);
-  const details = element('details', isOpen ? {open: ''} : {}, null, made);
-  element('summary', {}, `${data.pictures.length === 1 ? 'The picture' : `${data.pictures.length} pictures`} that the programs drew`, details);
-  const grid = element('div', {class: 'pictures'}, null, details);
+  const grid = element('div', {class: 'pictures'}, null, made);
   for (const picture of data.pictures) {
     const figure = element('figure', {}, null, grid);
     const image = element('img', {alt: picture.caption, loading: 'lazy'}, null, figure);
     image.src = 'data:image/png;base64,' + document.getElementById(picture.blob).textContent.trim();
-    element('figcaption', {class: 'note'}, picture.caption, figure);
+    const caption = element('figcaption', {class: 'note'}, `${picture.caption} `, figure);
+    element('a', {href: picture.link}, picture.file, caption);
   }
 }
 
@@ -79,14 +78,15 @@ function drawContents(parent) {
 function drawPage() {
   const data = JSON.parse(document.getElementById('report-data').textContent);
   const sections = document.getElementById('sections');
-  let moves = false;
   try {
-    moves = drawMotion(data, document.getElementById('motion'));
+    drawMotion(data, document.getElementById('motion'));
   } catch (error) {  // what was found can be read without motion
     element('p', {class: 'warning'}, `The motion cannot be shown: ${error.message}`, document.getElementById('motion'));
   }
-  for (const section of data.sections) drawSection(section, sections);
-  drawPictures(data, sections, !moves);
+  for (const section of data.sections) {
+    if (section.id === 'provenance') drawPictures(data, sections);
+    drawSection(section, sections);
+  }
   if (data.notes.length) {
     const made = element('section', {id: 'missing', 'aria-labelledby': 'missing-title'}, null, sections);
     element('h2', {id: 'missing-title'}, 'What could not be shown', made);

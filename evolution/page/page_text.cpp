@@ -1,5 +1,6 @@
 #include "evolution/page/page_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -151,6 +152,8 @@ std::string script_json(const json& data) {
 
 const char* badge_of(Tone tone) {
   switch (tone) {
+    case Tone::note:
+      return "to know";
     case Tone::good:
       return "holds";
     case Tone::caution:
@@ -180,25 +183,70 @@ std::vector<std::pair<std::string, std::string>> explained_words() {
   };
 }
 
-std::string finding_html(const Finding& finding) {
+/// A path as part of an address: whatever is no letter, digit or mark of paths is written in hexadecimal digits.
+std::string address_of(std::string_view path) {
+  constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string address;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (plain.find(c) != std::string_view::npos) {
+      address += c;
+    } else {
+      address += '%';
+      address += digits[byte >> 4U];
+      address += digits[byte & 15U];
+    }
+  }
+  return address;
+}
+
+/// The address of a file of the report, from the page. @param folder of the report, from that of the page
+std::string address_in(const std::string& folder, std::string_view file) {
+  return address_of((folder.empty() ? "." : folder) + "/" + std::string(file));
+}
+
+/// The files of a source, each a link to it.
+std::string linked_html(std::string_view source, const std::string& folder) {
+  constexpr std::string_view separator = ", ";
+  std::string text;
+  while (!source.empty()) {
+    const std::size_t end = std::min(source.find(separator), source.size());
+    const std::string_view file = source.substr(0, end);
+    text += (text.empty() ? "" : ", ") + ("<a href=\"" + address_in(folder, file) + "\">" + html_text(file) + "</a>");
+    source.remove_prefix(std::min(end + separator.size(), source.size()));
+  }
+  return text;
+}
+
+std::string finding_html(const Finding& finding, const std::string& folder) {
   std::string text = "<li><span class=\"badge " + std::string(to_string(finding.tone)) + "\">" + badge_of(finding.tone) +
                      "</span><div><p>" + html_text(finding.text) + "</p>";
   if (!finding.source.empty())
-    text += "<p class=\"source\">" + std::string(finding.tone == Tone::missing ? "computed by " : "from ") +
-            html_text(finding.source) + "</p>";
+    text += "<p class=\"source\">" +
+            (finding.tone == Tone::missing ? "computed by " + html_text(finding.source)
+                                           : "from " + linked_html(finding.source, folder)) +
+            "</p>";
   return text + "</div></li>\n";
 }
 
-std::string verdict_html(const Verdict& verdict) {
+std::string headline_html(const Verdict& verdict) {
+  const std::string tone = to_string(verdict.tone);
+  if (verdict.came_out.empty()) return "<p class=\"headline " + tone + "\">" + html_text(verdict.headline) + "</p>\n";
+  std::string text = "<div class=\"headline " + tone + "\"><p>What came out:</p><ul>\n";
+  for (const std::string& line : verdict.came_out) text += "<li>" + html_text(line) + "</li>\n";
+  return text + "</ul></div>\n";
+}
+
+std::string verdict_html(const Verdict& verdict, const std::string& folder) {
   std::string found;
   std::string missing;
   std::size_t missing_count = 0;
   for (const Finding& finding : verdict.findings) {
-    (finding.tone == Tone::missing ? missing : found) += finding_html(finding);
+    (finding.tone == Tone::missing ? missing : found) += finding_html(finding, folder);
     if (finding.tone == Tone::missing) ++missing_count;
   }
-  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n<p class=\"headline " + std::string(to_string(verdict.tone)) +
-                     "\">" + html_text(verdict.headline) + "</p>\n";
+  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n" + headline_html(verdict);
   // A long list of what is not there would hide what is.
   constexpr std::size_t most_open = 2;
   const bool is_open = missing_count <= most_open || found.empty();
@@ -212,6 +260,17 @@ std::string verdict_html(const Verdict& verdict) {
   for (const auto& [word, meaning] : explained_words())
     text += "<dt>" + html_text(word) + "</dt><dd>" + html_text(meaning) + "</dd>\n";
   return text + "</dl></details>";
+}
+
+/// The inputs as a table without code, so that what a page is about can be read without JavaScript, too.
+std::string inputs_html(const PageTable& inputs) {
+  if (inputs.rows.empty()) return {};
+  std::string text = "<section id=\"inputs\" aria-labelledby=\"inputs-title\">\n<h2 id=\"inputs-title\">" +
+                     html_text(inputs.title) + "</h2>\n<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+                     html_text(inputs.title) + "\"><table><tbody>\n";
+  for (const std::vector<std::string>& row : inputs.rows)
+    text += "<tr><th scope=\"row\">" + html_text(row.front()) + "</th><td>" + html_text(row.back()) + "</td></tr>\n";
+  return text + "</tbody></table></div>\n<p class=\"note\">" + html_text(inputs.note) + "</p>\n</section>";
 }
 
 /// Replaces the marks of a template, each once, from left to right: what is put in is not searched.
@@ -284,7 +343,10 @@ std::string page_text(const ReportPage& page, const std::optional<std::string>& 
   for (const PageSection& section : page.sections) sections.push_back(json_of(section));
   json pictures = json::array();
   for (const PagePicture& picture : page.pictures)
-    pictures.push_back({{"caption", picture.caption}, {"blob", blobs.add(picture.png)}});
+    pictures.push_back({{"caption", picture.caption},
+                        {"file", picture.file},
+                        {"link", address_in(page.folder, picture.file)},
+                        {"blob", blobs.add(picture.png)}});
   const json data{{"scenes", scenes}, {"sections", sections}, {"pictures", pictures}, {"notes", page.notes}};
   std::string script;
   for (const char* name : {"chart.js", "scene.js", "page.js"}) script.append(page_source(name));
@@ -293,7 +355,8 @@ std::string page_text(const ReportPage& page, const std::optional<std::string>& 
                 {{"<!--menger:title-->", title},
                  {"<!--menger:made-->", html_text(page.made)},
                  {"/*menger:style*/", std::string(page_source("page.css"))},
-                 {"<!--menger:verdict-->", verdict_html(page.verdict)},
+                 {"<!--menger:verdict-->", verdict_html(page.verdict, page.folder)},
+                 {"<!--menger:inputs-->", inputs_html(page.inputs)},
                  {"<!--menger:data-->",
                   blobs.text() + "<script type=\"application/json\" id=\"report-data\">" + script_json(data) + "</script>"},
                  {"/*menger:three*/", three.value_or("")},

@@ -35,6 +35,23 @@ std::vector<double> column_of(const io::CsvContents& table, std::string_view col
   return values;
 }
 
+std::vector<double> progress_of(const io::CsvContents& trajectory) {
+  const std::vector<double> x_m = column_of(trajectory, "centre_of_mass_x_m");
+  const std::vector<double> y_m = column_of(trajectory, "centre_of_mass_y_m");
+  std::vector<double> progress(x_m.size(), std::numeric_limits<double>::quiet_NaN());
+  const auto is_known = [&](std::size_t row) { return std::isfinite(x_m[row]) && std::isfinite(y_m[row]); };
+  std::size_t last = x_m.size();
+  while (last > 0 && !is_known(last - 1)) --last;
+  if (last == 0) return progress;
+  const double along_x = x_m[last - 1] - x_m[0];
+  const double along_y = y_m[last - 1] - y_m[0];
+  const double whole_m = std::hypot(along_x, along_y);
+  for (std::size_t row = 0; row < progress.size(); ++row)
+    if (is_known(row))
+      progress[row] = whole_m > 0.0 ? ((x_m[row] - x_m[0]) * along_x + (y_m[row] - y_m[0]) * along_y) / whole_m : 0.0;
+  return progress;
+}
+
 std::optional<double> median_of(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::ranges::sort(values);

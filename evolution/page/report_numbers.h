@@ -26,6 +26,10 @@ std::string text_in(const io::CsvContents& table, std::size_t row, std::string_v
 /// Returns a column of a table times a factor; what is no number is NaN, which a chart shows as a gap.
 std::vector<double> column_of(const io::CsvContents& table, std::string_view column, double factor = 1.0);
 
+/// Returns the progress of a walk in every row of its trajectory, m: the part of the horizontal displacement that lies along the
+/// line from start to end; below 0 behind the start. What is no number is NaN.
+std::vector<double> progress_of(const io::CsvContents& trajectory);
+
 /// Returns the middle of some numbers, the mean of the two middle ones of an even number; nothing if there are none.
 std::optional<double> median_of(std::vector<double> values);
 

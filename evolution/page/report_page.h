@@ -12,6 +12,7 @@ namespace menger::evolution {
 
 /// What a finding means for the use of the results.
 enum class Tone {
+  note,     ///< to be known, without a judgement
   good,     ///< can be relied on
   caution,  ///< to be used with care
   bad,      ///< not to be relied on
@@ -31,7 +32,8 @@ struct Finding {
 
 /// The verdict: what the results say, in words.
 struct Verdict {
-  std::string headline{};  ///< one or two sentences
+  std::string headline{};               ///< one or two sentences
+  std::vector<std::string> came_out{};  ///< what the loop said of these results; if there are some, they stand for the headline
   Tone tone = Tone::missing;
   std::vector<Finding> findings{};
 };
@@ -83,8 +85,9 @@ struct PageChart {
 
 /// A PNG picture of the results.
 struct PagePicture {
-  std::string caption{};
-  std::string png{};  ///< the bytes of the file
+  std::string caption{};  ///< what it shows
+  std::string file{};     ///< where it lies, from the folder of the report
+  std::string png{};      ///< the bytes of the file
 };
 
 /// A body that moves, as the page draws it: the quadrilaterals of its surface and its corners at some times.
@@ -129,8 +132,10 @@ struct PageSection {
 /// Everything that the page shows.
 struct ReportPage {
   std::string title{};
-  std::string made{};  ///< by which version, of which folder
+  std::string made{};    ///< by which version, of which folder
+  std::string folder{};  ///< of the report, from that of the page; links to sources begin with it
   Verdict verdict;
+  PageTable inputs{};  ///< what the results were computed from
   std::vector<PageScene> scenes{};
   std::vector<PageSection> sections{};
   std::vector<PagePicture> pictures{};

@@ -8,7 +8,9 @@
 #include <system_error>
 #include <utility>
 
+#include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/command_outputs.h"
+#include "evolution/page/input_table.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
 #include "evolution/page/result_facts.h"
@@ -42,11 +44,49 @@ std::optional<std::string> read_picture(const fs::path& file, std::size_t most_b
   return std::nullopt;
 }
 
+/// What the loop that made these results said of them; nothing if no loop did, or if they have changed since.
+std::vector<std::string> came_out(const fs::path& folder, std::vector<std::string>& notes) {
+  try {
+    std::optional<LoopVerdict> verdict = read_loop_verdict(folder);
+    if (!verdict) return {};
+    if (verdict->is_current(folder)) return std::move(verdict->lines);
+    notes.push_back(std::string(loop_verdict_name) +
+                    ": what the loop said came out is of earlier results, and is left out; run menger loop again");
+  } catch (const io::InputError& error) {
+    notes.emplace_back(error.what());
+  }
+  return {};
+}
+
+/// What a picture shows, for people.
+std::string caption_of(const CommandOutput& output, const std::string& name, const std::vector<InflationFacts>& inflations) {
+  std::string caption;
+  if (name == "chamber.png") {
+    const auto inflation = std::ranges::find(inflations, output.name, &InflationFacts::place);
+    const bool is_beyond = inflation != inflations.end() && inflation->limit;
+    caption = std::string("The body, cut open, at the end of its inflation") +
+              (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
+              ". Thin lines: the body at rest.";
+  } else if (name == "robot.png") {
+    caption = "The body at the end of its walk. Thin lines: the body at the start. Red line: the path of its centre.";
+  } else if (name == "champion.png") {
+    caption = "The best robot of the search.";
+  } else if (name == "winner/strip.png") {
+    caption = "The best robot of the re-evaluation, at several times of its walk.";
+  } else if (name == "worst.png") {
+    caption = "The state in which the surrogate is furthest off.";
+  } else {
+    caption = "Shapes of the robot in both models, over the pressure.";
+  }
+  return caption;
+}
+
 /// The pictures of bodies that commands drew; charts are drawn anew by the page. Each is taken once, where several commands wrote
 /// into its folder.
-std::vector<PagePicture> read_pictures(const std::vector<CommandOutput>& outputs, std::size_t most_bytes,
-                                       std::vector<std::string>& notes) {
-  constexpr std::array names{"chamber.png", "robot.png", "champion.png", "winner/strip.png", "worst.png"};
+std::vector<PagePicture> read_pictures(const std::vector<CommandOutput>& outputs, const std::vector<InflationFacts>& inflations,
+                                       std::size_t most_bytes, std::vector<std::string>& notes) {
+  constexpr std::array names{"chamber.png",      "robot.png", "champion.png",
+                             "winner/strip.png", "worst.png", "curve_robot_inflation.png"};
   std::vector<PagePicture> pictures;
   std::set<std::string> taken;
   std::size_t bytes = 0;
@@ -57,7 +97,8 @@ std::vector<PagePicture> read_pictures(const std::vector<CommandOutput>& outputs
       std::optional<std::string> content = read_picture(file, most_bytes - bytes, notes);
       if (!content) continue;
       bytes += content->size();
-      pictures.push_back({.caption = file_of(output, name), .png = std::move(*content)});
+      pictures.push_back(
+          {.caption = caption_of(output, name, inflations), .file = file_of(output, name), .png = std::move(*content)});
     }
   }
   return pictures;
@@ -70,7 +111,7 @@ std::string fitting_text(ReportPage& page, const ReportOptions& options) {
     if (text.size() <= options.most_bytes) return text;
     const std::string why = " is left out to keep the page below " + std::to_string(options.most_bytes) + " bytes";
     if (!page.pictures.empty()) {
-      page.notes.push_back("the picture " + page.pictures.back().caption + why);
+      page.notes.push_back("the picture " + page.pictures.back().file + why);
       page.pictures.pop_back();
     } else if (options.three.code && !page.scenes.empty()) {
       page.notes.push_back(page.scenes.back().title + why);
@@ -167,12 +208,19 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   result.outputs = outputs.size();
   page.title = title_of(folder, outputs);
   page.made = made_text(folder, outputs.size());
-  page.verdict = verdict_of(read_facts(outputs, page.notes));
+  page.folder = fs::absolute(folder)
+                    .lexically_normal()
+                    .lexically_relative(fs::absolute(result.file).lexically_normal().parent_path())
+                    .generic_string();
+  const ReportFacts facts = read_facts(outputs, page.notes);
+  page.verdict = verdict_of(facts);
+  page.verdict.came_out = came_out(folder, page.notes);
+  page.inputs = input_table(outputs, folder);
   page.sections = report_sections(outputs, page.notes);
   tell("read motions", 0.1);
   // In base64 bytes take a third more; the rest is for three.js, tables and pictures.
   page.scenes = read_scenes(outputs, options.most_bytes / 20 * 11, page.notes);
-  page.pictures = read_pictures(outputs, options.most_bytes / 5, page.notes);
+  page.pictures = read_pictures(outputs, facts.inflations, options.most_bytes / 5, page.notes);
   if (!options.three.code) page.notes.push_back(options.three.missing);
   std::set<std::string> known;
   std::erase_if(page.notes, [&](const std::string& note) { return !known.insert(note).second; });

@@ -234,6 +234,11 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
     }
   }
   if (scene.bodies.empty()) return std::nullopt;
+  if (std::ranges::any_of(scene.bodies, [](const PageBody& body) { return body.name != "finite elements"; })) {
+    scene.note += scene.note.empty() ? "" : " ";
+    scene.note +=
+        "Voxels are drawn as cubes: their faces are not the surface of a body, and gaps between them are no gaps in it.";
+  }
   if (plan.apart) move_apart(scene.bodies);
   if (plan.on_ground) {
     for (const PageBody& body : scene.bodies)

@@ -84,9 +84,10 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
                   .y = {.title = "gauge pressure (kPa)"},
                   .series = {},
                   .note = "From " + file_of(output, "curves.csv") + "."};
-  for (const std::string& pressure : ending_with(curves, "_pressure_Pa")) {
+  const std::vector<std::string> pressures = ending_with(curves, "_pressure_Pa");
+  for (const std::string& pressure : pressures) {
     const std::string plenum = pressure.substr(0, pressure.size() - std::string_view("_pressure_Pa").size());
-    chart.series.push_back({.name = without_ending(pressure, "_pressure_Pa"),
+    chart.series.push_back({.name = pressures.size() == 1 ? "the chamber" : without_ending(pressure, "_pressure_Pa"),
                             .x = column_of(curves, plenum + "_volume_m3", 1e6),
                             .y = column_of(curves, pressure, 1e-3),
                             .marks = PageMarks::line_and_points});
@@ -110,7 +111,8 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
   add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
   add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
   for (const TurningPoint& point : turning_points) {
-    add((point.is_limit ? "limit pressure of " : "later turning point of ") + point.plenum, io::kilopascals(point.pressure_Pa));
+    const std::string of = pressures.size() == 1 ? "" : " of " + point.plenum;
+    add((point.is_limit ? "limit pressure" : "later turning point") + of, io::kilopascals(point.pressure_Pa));
     if (point.volume_m3) add("volume there (cm\u00b3)", shown_number(1e6 * *point.volume_m3));
   }
   section.tables.push_back(std::move(table));
@@ -126,13 +128,16 @@ std::string model_of(const CommandOutput& output) {
   return output.is_calibrated ? "surrogate" : "voxels";
 }
 
-/// All walks in one chart of distance over time, one of paths seen from above, and one table.
+/// All walks in one chart of progress over time, one of paths seen from above, and one table.
 PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes) {
   PageSection section{.title = "Walks", .id = "walks"};
-  PageChart distance{.title = "Distance over time",
+  PageChart progress{.title = "Progress over time",
                      .x = {.title = "time (s)"},
-                     .y = {.title = "horizontal displacement of the centre of mass (mm)"},
-                     .series = {}};
+                     .y = {.title = "progress of the centre of mass (mm)"},
+                     .series = {},
+                     .note =
+                         "Along the line from start to end of each walk: it ends at its distance, and falls where the body goes "
+                         "back. Where a walk goes to and fro, distance and direction depend on when one looks."};
   PageChart path{.title = "Paths seen from above",
                  .x = {.title = "x (mm)"},
                  .y = {.title = "y (mm)"},
@@ -144,8 +149,8 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                    .y = {.title = "imbalance of energy (mJ)"},
                    .series = {}};
   PageTable table{.title = "Walks",
-                  .columns = {"body", "model", "status", "time (s)", "distance (mm)", "distance (body lengths)",
-                              "speed (body lengths / min)", "direction (degrees from x)", "from"},
+                  .columns = {"model", "distance (mm)", "distance (body lengths)", "speed (body lengths / min)",
+                              "direction (degrees from x)", "time (s)", "status", "body", "from"},
                   .rows = {}};
   for (const CommandOutput& output : outputs) {
     if (!is_walk(output)) continue;
@@ -158,8 +163,9 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       std::vector<double> y_mm = column_of(walk, "centre_of_mass_y_m", 1e3);
       for (std::vector<double>* values : {&x_mm, &y_mm})
         for (const double first = values->empty() ? 0.0 : values->front(); double& value : *values) value -= first;
-      distance.series.push_back(
-          {.name = name, .x = time_s, .y = column_of(walk, "horizontal_displacement_m", 1e3), .dashed = dashed});
+      std::vector<double> progress_mm = progress_of(walk);
+      for (double& value : progress_mm) value *= 1e3;
+      progress.series.push_back({.name = name, .x = time_s, .y = std::move(progress_mm), .dashed = dashed});
       path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
       if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
       const char* file = command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
@@ -172,10 +178,10 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
         const std::vector<double> vector_m = result.numbers("displacement_m");
         if (vector_m.size() == 3) direction = shown_whole(std::atan2(vector_m[1], vector_m[0]) * 180.0 / std::numbers::pi);
       }
-      table.rows.push_back({heading_of(output), model_of(output), result.text("status"), shown_number(end_s),
-                            shown_number(moved_m ? std::optional(1e3 * *moved_m) : std::nullopt), shown_number(lengths),
+      table.rows.push_back({model_of(output), shown_number(moved_m ? std::optional(1e3 * *moved_m) : std::nullopt),
+                            shown_number(lengths),
                             shown_number(lengths && end_s > 0.0 ? std::optional(60.0 * *lengths / end_s) : std::nullopt),
-                            direction, file_of(output, file)});
+                            direction, shown_number(end_s), result.text("status"), heading_of(output), file_of(output, file)});
       if (const std::string reason = result.text_or("reason", ""); !reason.empty())
         section.words.push_back(std::string(name).append(": ").append(reason).append("."));
     } catch (const io::InputError& error) {
@@ -183,7 +189,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
     }
   }
   if (table.rows.empty()) return section;
-  section.charts = {std::move(distance), std::move(path)};
+  section.charts = {std::move(progress), std::move(path)};
   if (!energy.series.empty()) section.charts.push_back(std::move(energy));
   section.tables.push_back(std::move(table));
   return section;
@@ -266,6 +272,43 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
   if (const auto fit = io::read_toml(output.folder / "result.toml").optional_table("fit")) add_notes_of(*fit, section.words);
 }
 
+/// Shows a column of fractions in per cent.
+void show_percent(const io::CsvContents& table, const std::string& column, PageTable& shown) {
+  const auto title = std::ranges::find(shown.columns, io::shown_column(column).title());
+  if (title == shown.columns.end()) return;
+  const auto place = static_cast<std::size_t>(title - shown.columns.begin());
+  *title += " (%)";
+  for (std::size_t row = 0; row < shown.rows.size(); ++row) {
+    const auto fraction = number_in(table, row, column);
+    shown.rows[row][place] = shown_number(fraction ? std::optional(100.0 * *fraction) : std::nullopt);
+  }
+}
+
+/// The errors of a validation in per cent. Of one body alone, the sums over all bodies repeat its own numbers, and are left out.
+PageTable summary_table(const io::CsvContents& summary, const std::string& file) {
+  const std::vector<std::string> bodies = distinct(summary, "body");
+  const bool is_one = std::ranges::count_if(bodies, [](const std::string& body) { return body != "all"; }) == 1;
+  PageTable table{.title = "Errors by body, of the largest value in a curve",
+                  .columns = {"body", "kind", "range of the fit", "number", "without equilibrium", "median (%)",
+                              "nine in ten are below (%)", "worst (%)", "worst case"},
+                  .rows = {},
+                  .note = "More columns: " + file + "."};
+  for (std::size_t row = 0; row < summary.row_count(); ++row) {
+    const std::string body = text_in(summary, row, "body");
+    if (is_one && body == "all") continue;
+    const auto percent = [&](const char* column) {
+      const auto fraction = number_in(summary, row, column);
+      return shown_number(fraction ? std::optional(100.0 * *fraction) : std::nullopt);
+    };
+    std::string worst = text_in(summary, row, "worst_case");
+    if (body == "all") worst = text_in(summary, row, "worst_body") + ", " + worst;
+    table.rows.push_back({body, text_in(summary, row, "kind"), text_in(summary, row, "range"), text_in(summary, row, "count"),
+                          text_in(summary, row, "without_equilibrium"), percent("median"), percent("percentile_90"),
+                          percent("worst"), worst});
+  }
+  return table;
+}
+
 void add_validation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents errors = io::read_csv(output.folder / "errors.csv");
   PageChart chart{.title = "Displacements in both models: " + file_of(output, "errors.csv"),
@@ -291,18 +334,20 @@ void add_validation(const CommandOutput& output, PageSection& section) {
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (!chart.series.empty()) section.charts.push_back(std::move(chart));
-  section.tables.push_back(shown_table(
-      "Errors by body; fractions of the largest value in a curve", io::read_csv(output.folder / "summary.csv"),
-      {"body", "kind", "range", "count", "without_equilibrium", "median", "percentile_90", "worst", "worst_body", "worst_case"},
-      file_of(output, "summary.csv")));
+  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv")));
   if (has_file(output, "volume_actuation.csv")) {
-    section.tables.push_back(shown_table("Change of volume by pressure, on finite elements",
-                                         io::read_csv(output.folder / "volume_actuation.csv"),
+    const io::CsvContents actuation = io::read_csv(output.folder / "volume_actuation.csv");
+    section.tables.push_back(shown_table("Change of volume by pressure, on finite elements", actuation,
                                          {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
                                           "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
                                          file_of(output, "volume_actuation.csv")));
+    for (const char* fraction : {"chamber_share", "change_at_highest", "change_at_lowest"})
+      show_percent(actuation, fraction, section.tables.back());
     section.tables.back().note +=
-        " These are finite elements of load cases. Those of an inflation may be others, and so may its limit pressure.";
+        " The share of chambers is that of the whole body at rest. Below 0 is vacuum, down to where walls touch (contact "
+        "pressure); no drive from 0 upwards comes there. These are finite elements of load cases. Those of an inflation may be "
+        "others, and so may its limit pressure: thin-wall elements give limit pressures 6 to 12 % higher than three-field "
+        "elements.";
   }
 }
 

@@ -107,9 +107,29 @@ ValidationFacts validation_facts(const CommandOutput& output) {
   const io::CsvContents signs = io::read_csv(signs_file);
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     facts.signs += count_in(signs, row, "count");
-    facts.wrong_signs += count_in(signs, row, "wrong");
+    const std::size_t wrong = count_in(signs, row, "wrong");
+    facts.wrong_signs += wrong;
+    if (wrong == 0) continue;
+    std::string way = facts.bodies > 1 ? text_in(signs, row, "body") + " " : "";
+    way += io::shown_column(text_in(signs, row, "observable")).quantity + " (" + std::to_string(wrong) + " of " +
+           text_in(signs, row, "count") + ")";
+    facts.wrong_ways.push_back(std::move(way));
   }
   return facts;
+}
+
+/// How far a walk goes along the line from its start to its end, and how far it comes back.
+void add_progress(const CommandOutput& output, const std::vector<double>& moved_m, WalkFacts& facts) {
+  const double end_m = std::hypot(moved_m[0], moved_m[1]);
+  const std::filesystem::path file = output.folder / "trajectory.csv";
+  if (!facts.body_lengths || !(end_m > 0.0) || !io::is_file(file)) return;
+  const double lengths_per_m = *facts.body_lengths / end_m;
+  for (const double progress_m : progress_of(io::read_csv(file))) {
+    if (!std::isfinite(progress_m)) continue;
+    const double lengths = lengths_per_m * progress_m;
+    facts.lowest_lengths = std::min(facts.lowest_lengths.value_or(lengths), lengths);
+    facts.highest_lengths = std::max(facts.highest_lengths.value_or(lengths), lengths);
+  }
 }
 
 WalkFacts walk_facts(const CommandOutput& output) {
@@ -129,7 +149,10 @@ WalkFacts walk_facts(const CommandOutput& output) {
   if (facts.body_lengths && facts.time_s > 0.0) facts.per_minute = 60.0 * *facts.body_lengths / facts.time_s;
   if (result.has("displacement_m")) {
     const std::vector<double> moved_m = result.numbers("displacement_m");
-    if (moved_m.size() == 3) facts.direction_deg = std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
+    if (moved_m.size() == 3) {
+      facts.direction_deg = std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
+      add_progress(output, moved_m, facts);
+    }
   }
   if (const auto surrogate = result.optional_table("surrogate")) {
     facts.model = WalkModel::surrogate;
@@ -219,6 +242,9 @@ ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<st
   const std::vector<const CommandOutput*> searches = searches_in(outputs);
   for (const CommandOutput& output : outputs) {
     const std::string command = command_of(output);
+    if (const std::string file = parameters_of_menger(output);
+        !file.empty() && std::ranges::find(facts.shipped, file, &ShippedParameters::file) == facts.shipped.end())
+      facts.shipped.push_back({.file = file, .source = file_of(output, output.manifest.filename().string())});
     try {
       if (command == "inflate") facts.inflations.push_back(inflation_facts(output));
       if (command == "calibrate") facts.calibrations.push_back(calibration_facts(output));

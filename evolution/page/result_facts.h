@@ -53,9 +53,10 @@ struct ValidationFacts {
   std::size_t bodies = 0;
   ErrorFact displacement{};
   ErrorFact volume{};
-  std::size_t outside = 0;      ///< numbers outside the range of validity
-  std::size_t signs = 0;        ///< displacements that are large enough to have a direction
-  std::size_t wrong_signs = 0;  ///< of these, those that go the other way in the surrogate
+  std::size_t outside = 0;                ///< numbers outside the range of validity
+  std::size_t signs = 0;                  ///< displacements that are large enough to have a direction
+  std::size_t wrong_signs = 0;            ///< of these, those that go the other way in the surrogate
+  std::vector<std::string> wrong_ways{};  ///< "extent y (5 of 5)": displacements of one kind that go the wrong way
 };
 
 enum class WalkModel { elements, surrogate, voxels };
@@ -75,6 +76,8 @@ struct WalkFacts {
   std::optional<double> body_lengths{};  ///< horizontal displacement; exists if completed
   std::optional<double> per_minute{};    ///< body lengths per minute
   std::optional<double> direction_deg{};
+  std::optional<double> lowest_lengths{};       ///< along the line from start to end, body lengths: how far back it comes
+  std::optional<double> highest_lengths{};      ///< likewise: how far it goes
   std::vector<std::string> expected_error{};    ///< of a surrogate
   std::vector<std::string> outside_validity{};  ///< of a surrogate
   StatedRun stated{};
@@ -120,6 +123,12 @@ struct ModesFacts {
   std::optional<double> first_frequency_Hz{};  ///< the lowest at the first pressure
 };
 
+/// Parameters of a surrogate that were not fitted here.
+struct ShippedParameters {
+  std::string file{};    ///< the name of those that come with menger
+  std::string source{};  ///< the manifest that says so
+};
+
 /// What all outputs in a folder say.
 struct ReportFacts {
   std::vector<InflationFacts> inflations{};
@@ -129,6 +138,7 @@ struct ReportFacts {
   std::vector<RankingFacts> rankings{};
   std::vector<SearchFacts> searches{};
   std::vector<ModesFacts> modes{};
+  std::vector<ShippedParameters> shipped{};  ///< each file once
 };
 
 /// Reads what the outputs say. @param notes gets a sentence for every file that is missing or cannot be read

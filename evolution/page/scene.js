@@ -29,7 +29,8 @@ function lengthText(metres) {
 
 // One body: its corners between frames, and the buffers that three.js draws.
 class Body {
-  constructor(data, number) {
+  constructor(data, number, travels) {
+    this.travels = travels;
     this.name = data.name;
     this.number = number;
     this.times = data.times;
@@ -47,7 +48,7 @@ class Body {
     this.rest = new Float32Array(3 * this.corners);
     this.faceCount = this.faces.length / 4;
     this.place(this.times[0], this.rest);
-    this.measure();
+    this.measure();  // which needs the centres
     this.build();
   }
 
@@ -64,6 +65,21 @@ class Body {
   between(values, time) {
     const [n, part] = this.at(time);
     return values.length > n + 1 ? values[n] + part * (values[n + 1] - values[n]) : values[n];
+  }
+
+  // How far the middle has come since the first frame: a body that travels is coloured by what is left of its displacement.
+  shift(time) {
+    if (!this.travels) return [0, 0, 0];
+    const [n, part] = this.at(time), next = this.centres[Math.min(n + 1, this.centres.length - 1)];
+    return this.centres[n].map((c, axis) => c + part * (next[axis] - c) - this.centres[0][axis]);
+  }
+
+  // The time of the last full stroke: the last frame at the highest pressure. Undefined where no pressure is known.
+  fullStroke() {
+    const pressures = this.pressures.length ? this.pressures[0] : [];
+    const [low, high] = extent(pressures);
+    if (!(high > low)) return undefined;
+    return this.times[pressures.map((p) => p >= high - 0.02 * (high - low)).lastIndexOf(true)];
   }
 
   // The horizontal displacement of the centre of mass, or where that is not known of the middle of the surface, in m.
@@ -91,10 +107,13 @@ class Body {
       if (value < low[axis]) low[axis] = value;
       if (value > high[axis]) high[axis] = value;
     }
-    for (let i = 0; i + 2 < this.positions.length; i += 3) {
-      const c = i % size;
-      const d = (this.positions[i] - this.positions[c]) ** 2 + (this.positions[i + 1] - this.positions[c + 1]) ** 2 + (this.positions[i + 2] - this.positions[c + 2]) ** 2;
-      if (d > largest) largest = d;
+    for (let frame = 0; frame < this.times.length; ++frame) {
+      const shift = this.shift(this.times[frame]).map((s) => s / this.scale), begin = frame * size;
+      for (let c = 0; c < size; c += 3) {
+        let d = 0;
+        for (let axis = 0; axis < 3; ++axis) d += (this.positions[begin + c + axis] - this.positions[c + axis] - shift[axis]) ** 2;
+        if (d > largest) largest = d;
+      }
     }
     const inMetres = (values) => values.map((v, axis) => this.origin[axis] + this.scale * (32768 + v));
     this.low = inMetres(low);
@@ -166,18 +185,18 @@ function colourings(bodies) {
   const [, largest] = extent(bodies.map((b) => b.largest));
   ways.push({
     name: 'displacement',
-    ofCorner: (body) => {
-      const colours = new Float32Array(3 * body.corners);
+    ofCorner: (body, time) => {
+      const colours = new Float32Array(3 * body.corners), shift = body.shift(time);
       for (let c = 0; c < body.corners; ++c) {
         const i = 3 * c;
-        const d = Math.hypot(body.now[i] - body.rest[i], body.now[i + 1] - body.rest[i + 1], body.now[i + 2] - body.rest[i + 2]);
+        const d = Math.hypot(body.now[i] - body.rest[i] - shift[0], body.now[i + 1] - body.rest[i + 1] - shift[1], body.now[i + 2] - body.rest[i + 2] - shift[2]);
         const rgb = rampColour(largest > 0 ? d / largest : 0);
         for (let axis = 0; axis < 3; ++axis) colours[i + axis] = rgb[axis];
       }
       return colours;
     },
     range: ['0 mm', `${shown(Number((1000 * largest).toPrecision(3)))} mm`],
-    note: 'Displacement of each point since the first frame. The range covers all frames and bodies.'
+    note: (bodies.some((b) => b.travels) ? 'Displacement of each point since the first frame, without the way of the middle of its body.' : 'Displacement of each point since the first frame.') + ' The range covers all frames and bodies.'
   });
   const withPressure = bodies.filter((b) => b.pressures.length);
   if (withPressure.length) {
@@ -386,9 +405,10 @@ function drawMotion(data, parent) {
     while (legend.firstChild) legend.firstChild.remove();
     const way = state.way, css = (rgb) => `rgb(${rgb.map((c) => Math.round(255 * c)).join(',')})`;
     if (way.range) {
-      element('span', {}, `${way.name}: ${way.range[0]}`, legend);
-      element('span', {class: 'ramp', style: `background:linear-gradient(to right,${ramp.map((c) => `rgb(${c.join(',')})`).join(',')})`}, null, legend);
-      element('span', {}, way.range[1], legend);
+      const bar = element('span', {class: 'bar'}, null, legend);  // stays on one line
+      element('span', {}, `${way.name}: ${way.range[0]}`, bar);
+      element('span', {class: 'ramp', style: `background:linear-gradient(to right,${ramp.map((c) => `rgb(${c.join(',')})`).join(',')})`}, null, bar);
+      element('span', {}, way.range[1], bar);
     }
     for (const [name, rgb] of way.legend || []) {
       const entry = element('span', {}, null, legend);
@@ -407,10 +427,12 @@ function drawMotion(data, parent) {
     for (const extra of state.extras) { world.remove(extra); extra.geometry.dispose(); extra.material.dispose(); }
     for (const label of state.labels) if (label) label.remove();
     const scene = data.scenes[number];
-    if (!cache.has(number)) cache.set(number, scene.bodies.map((body, n) => new Body(body, n)));
+    if (!cache.has(number)) cache.set(number, scene.bodies.map((body, n) => new Body(body, n, scene.ground !== null)));
     Object.assign(state, {scene, bodies: cache.get(number), extras: [], trails: []});
     [state.from, state.to] = extent(state.bodies.flatMap((b) => [b.times[0], b.times[b.times.length - 1]]));
-    state.time = scene.ground === null ? state.to : state.from;  // an inflated body says more than one at rest
+    // An inflated body says more than one at rest.
+    const strokes = state.bodies.map((b) => b.fullStroke()).filter((t) => t !== undefined);
+    state.time = scene.ground === null ? state.to : strokes.length ? strokes[0] : state.from;
     state.ways = colourings(state.bodies);
     while (colourChoice.firstChild) colourChoice.firstChild.remove();
     for (const way of state.ways) element('option', {value: way.name}, way.name, colourChoice);

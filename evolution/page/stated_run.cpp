@@ -79,6 +79,16 @@ std::string drive_of(const json& drive) {
   return joined(same);
 }
 
+/// The largest of the numbers of a list.
+std::optional<double> highest_in(const json& table, const char* key) {
+  const auto list = table.find(key);
+  if (list == table.end() || !list->is_array()) return std::nullopt;
+  std::optional<double> highest;
+  for (const json& value : *list)
+    if (value.is_number()) highest = std::max(highest.value_or(value.get<double>()), value.get<double>());
+  return highest;
+}
+
 /// The law of a study of finite elements, with what changes its moduli.
 std::string law_of_material(const json& material) {
   const json* law = object_of(material, "law");
@@ -159,7 +169,11 @@ StatedRun stated_run(const json& parameters) {
     run.law = law_of_line(
         first_text(parameters, {{"surrogate", "values", "holds_for"}, {"surrogate", "parameters", "holds_for"}}, "law"));
   }
-  if (const json* drive = object_of(parameters, "drive")) run.drive = drive_of(*drive);
+  if (const json* elements = object_of(parameters, "elements")) run.elements = text_of(*elements, "kind");
+  if (const json* drive = object_of(parameters, "drive")) {
+    run.drive = drive_of(*drive);
+    run.highest_pressure_Pa = highest_in(*drive, "pressure_Pa");
+  }
   run.static_friction = first_number(parameters, {{"ground"}}, "static_friction");
   run.kinetic_friction = first_number(parameters, {{"ground"}}, "kinetic_friction");
   return run;

@@ -18,10 +18,12 @@ struct ManifestBody {
 struct StatedRun {
   std::optional<ManifestBody> body{};  ///< if the parameters have a design of level 1
   std::optional<double> wall_thickness_m{};
-  std::string chambers{};  ///< "single" or "per-phase"
-  std::string silicone{};  ///< its name
-  std::string law{};       ///< kind and numbers of the hyperelastic law, in a form that can be compared
-  std::string drive{};     ///< what decides the motion of the drive, in a form that can be compared; empty without one
+  std::string chambers{};                       ///< "single" or "per-phase"
+  std::string silicone{};                       ///< its name
+  std::string law{};                            ///< kind and numbers of the hyperelastic law, in a form that can be compared
+  std::string elements{};                       ///< kind of the finite elements: "thin_wall", "three_field"
+  std::optional<double> highest_pressure_Pa{};  ///< of the drive
+  std::string drive{};  ///< what decides the motion of the drive, in a form that can be compared; empty without one
   std::optional<double> static_friction{};   ///< of the ground
   std::optional<double> kinetic_friction{};  ///< likewise
 };

@@ -8,6 +8,9 @@
 #include "evolution/page/report_numbers.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
+#include "io/text/joined_text.h"
+#include "meshes/load_cases/limit_pressure.h"
+#include "meshes/load_cases/shape_agreement.h"
 #include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
@@ -55,20 +58,77 @@ Finding missing(const std::string& what, const std::string& command) {
   return {Tone::missing, what + " was not computed.", "menger " + command};
 }
 
-Finding inflation_finding(const InflationFacts& facts, const std::string& begin) {
+/// "40 times", "92 % of"
+std::string share_text(double share) {
+  constexpr double least_times = 1.5;
+  return share < least_times ? io::percents(share) + " of" : io::shown(share, 2) + " times";
+}
+
+/// Pressures of other results of the body of an inflation.
+struct KnownPressures {
+  std::optional<double> drive_Pa{};  ///< the highest of the drives of its walks
+  std::optional<double> limit_Pa{};  ///< the lowest limit pressure of its inflations
+};
+
+KnownPressures known_pressures(const ReportFacts& facts, const InflationFacts& inflation) {
+  KnownPressures known;
+  for (const WalkFacts& walk : facts.walks) {
+    const auto& drive_Pa = walk.stated.highest_pressure_Pa;
+    if (drive_Pa && are_of_one_body(walk.stated, inflation.stated))
+      known.drive_Pa = std::max(known.drive_Pa.value_or(*drive_Pa), *drive_Pa);
+  }
+  for (const InflationFacts& other : facts.inflations) {
+    if (!other.limit || (&other != &inflation && !are_of_one_body(other.stated, inflation.stated))) continue;
+    known.limit_Pa = std::min(known.limit_Pa.value_or(other.limit->pressure_Pa), other.limit->pressure_Pa);
+  }
+  return known;
+}
+
+Tone tone_of_share(double share) {
+  if (share > 1.0) return Tone::bad;
+  return share > meshes::largest_safe_share ? Tone::caution : Tone::good;
+}
+
+/// What a share of the limit pressure means for a body.
+std::string meaning_of_share(double share) {
+  if (share > 1.0) return ": it balloons or buckles before";
+  return share > meshes::largest_safe_share ? ": a thin spot in a cast wall decides" : "";
+}
+
+Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, const std::string& begin) {
+  const double limit_Pa = facts.limit->pressure_Pa;
+  Finding finding{Tone::caution, begin, facts.source};
+  finding.text += "Balloons or buckles at " + io::kilopascals(limit_Pa) +
+                  ": there the pressure stops rising while the volume grows (limit point). Up to " +
+                  io::kilopascals(meshes::largest_safe_share * limit_Pa) + " it is 20 % or more below that.";
+  if (known.drive_Pa) {
+    const double share = *known.drive_Pa / limit_Pa;
+    finding.tone = tone_of_share(share);
+    finding.text += " The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure" +
+                    meaning_of_share(share) + ".";
+  }
+  if (facts.stated.elements == "thin_wall")
+    finding.text += " Thin-wall elements give limit pressures 6 to 12 % higher than three-field elements (fem/README.md).";
+  return finding;
+}
+
+Finding inflation_finding(const InflationFacts& facts, const KnownPressures& known, const std::string& begin) {
+  if (facts.limit) return limit_finding(facts, known, begin);
   const std::string reached = facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa) : "no pressure";
   const std::string growth =
       facts.volume_growth ? (facts.plena > 1 ? " Of its chambers, the one that grows most then has " : " Its chamber then has ") +
                                 io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
-  if (facts.limit) {
-    return {Tone::caution,
-            begin + "Usable below " + io::kilopascals(facts.limit->pressure_Pa) +
-                ". There the pressure stops rising while the volume grows (limit point): the body balloons or buckles.",
-            facts.source};
+  if (facts.status == io::RunStatus::completed) {
+    Finding finding{Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
+    if (known.limit_Pa && facts.highest_pressure_Pa) {
+      const double share = *facts.highest_pressure_Pa / *known.limit_Pa;
+      finding.tone = tone_of_share(share);
+      finding.text += " " + reached + " is " + share_text(share) + " the limit pressure, " + io::kilopascals(*known.limit_Pa) +
+                      (share > 1.0 ? "" : meaning_of_share(share)) + ".";
+    }
+    return finding;
   }
-  if (facts.status == io::RunStatus::completed)
-    return {Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
   if (facts.status == io::RunStatus::limit_point) {
     return {
         Tone::caution,
@@ -104,14 +164,24 @@ Tone tone_of_error(double median) {
   return median <= judged_by::usable_error ? Tone::caution : Tone::bad;
 }
 
+/// Of one body alone, whether the surrogate takes its shape well, as the loop judges it.
 /// @pre displacements have a median error
 Tone tone_of(const ValidationFacts& facts) {
+  if (facts.bodies == 1)
+    return *facts.displacement.median <= meshes::largest_shape_error && facts.wrong_signs == 0 ? Tone::good : Tone::bad;
   const Tone by_size = tone_of_error(*facts.displacement.median);
   return facts.wrong_signs > 0 ? std::max(by_size, Tone::caution) : by_size;
 }
 
+/// Whether all that was compared lies outside the range of the fit, of one body alone.
+bool is_all_outside(const ValidationFacts& facts) { return facts.bodies == 1 && !facts.displacement.median && facts.outside > 0; }
+
 Finding validation_finding(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
+  if (is_all_outside(facts)) {
+    return {Tone::bad, "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit.",
+            facts.source};
+  }
   if (!shapes.median) {
     return {
         Tone::caution,
@@ -130,11 +200,12 @@ Finding validation_finding(const ValidationFacts& facts) {
   text += ".";
   if (facts.wrong_signs > 0)
     text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
-            " go the wrong way.";
+            " go the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
   if (shapes.without_equilibrium > 0)
     text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)
     text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
+  if (facts.bodies == 1 && tone_of(facts) == Tone::bad) text += " Do not trust the surrogate for this body.";
   return {tone_of(facts), text, facts.source};
 }
 
@@ -155,13 +226,28 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   }
   std::string text = begin + "It moves " + io::body_lengths(*walk.body_lengths) + " " + on + " in " + io::shown(walk.time_s, 3) +
                      " s, " + speed_text(*walk.per_minute);
-  if (goes_nowhere(walk)) return {Tone::caution, text + ": it goes nowhere.", walk.source};
+  if (goes_nowhere(walk)) return {Tone::caution, text + ": it does not walk.", walk.source};
   if (walk.direction_deg) text += ", towards " + shown_whole(*walk.direction_deg) + " degrees from x";
   text += ".";
   if (walk.model == WalkModel::elements) return {Tone::good, text, walk.source};
   text += walk.model == WalkModel::surrogate ? " Its distances are not to be trusted without finite elements beside them."
                                              : " These are solid voxels, not hollow silicone.";
   return {Tone::caution, text, walk.source};
+}
+
+/// Whether a walk goes to and fro: where it ends, and so its direction, depends on when one looks.
+bool goes_to_and_fro(const WalkFacts& walk) {
+  if (!walk.body_lengths || !walk.lowest_lengths || !walk.highest_lengths) return false;
+  return *walk.lowest_lengths < -meshes::walk_limits::least_body_lengths ||
+         *walk.highest_lengths > std::max(2.0 * *walk.body_lengths, *walk.body_lengths + meshes::walk_limits::least_body_lengths);
+}
+
+Finding to_and_fro_finding(const WalkFacts& walk, const std::string& begin) {
+  return {Tone::caution,
+          begin + "The walk on " + to_string(walk.model) + " goes to and fro: along the line to its end it is between " +
+              io::shown(*walk.lowest_lengths, 2) + " and " + io::body_lengths(*walk.highest_lengths) + ", and ends at " +
+              io::shown(*walk.body_lengths, 2) + ". Its direction and distance depend on when one looks.",
+          walk.source};
 }
 
 bool has_walked(const WalkFacts& walk) { return walk.body_lengths && walk.per_minute; }
@@ -206,8 +292,8 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     if (elements.per_minute) judged.surrogate = Tone::bad;
     return judged;
   }
-  text += "It walks " + speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) +
-          " " + other;
+  text += (goes_nowhere(elements) || goes_nowhere(surrogate) ? "It moves " : "It walks ") + speed_text(*elements.per_minute) +
+          " on finite elements and " + speed_number(*surrogate.per_minute) + " " + other;
   const meshes::WalkAgreement agreement = agreement_of(elements, surrogate);
   const bool both_walk =
       agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
@@ -216,13 +302,13 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
   }
   if (!is_known)
-    return conclude(Tone::caution, std::nullopt,
+    return conclude(Tone::note, std::nullopt,
                     ". Finite elements do not agree on this walk, so this says nothing of the surrogate.");
   switch (agreement) {
     case meshes::WalkAgreement::alike:
       return conclude(Tone::good, Tone::good, ". Both models agree on this walk.");
     case meshes::WalkAgreement::both_go_nowhere:
-      return conclude(Tone::caution, std::nullopt, ": both go nowhere, so they cannot be compared.");
+      return conclude(Tone::caution, std::nullopt, ": it walks in neither, so they cannot be compared.");
     case meshes::WalkAgreement::same_direction:
       return conclude(Tone::caution, Tone::caution, ". The surrogate tells where this body goes, not how fast.");
     case meshes::WalkAgreement::different:
@@ -232,7 +318,7 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
   }
   return conclude(Tone::bad, Tone::bad,
                   std::string(": ") + (goes_nowhere(elements) ? "on finite elements" : other) +
-                      " it goes nowhere. Do not trust the surrogate for the walk of this body.");
+                      " it does not walk. Do not trust the surrogate for the walk of this body.");
 }
 
 /// Walks of one body on finite elements, driven alike: their meshes or time steps differ.
@@ -279,7 +365,7 @@ Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
       break;
     case meshes::WalkAgreement::both_go_nowhere:
       finding.tone = Tone::caution;
-      finding.text += ". They go nowhere.";
+      finding.text += ". It does not walk.";
       break;
     case meshes::WalkAgreement::same_direction:
       finding.tone = Tone::caution;
@@ -373,6 +459,26 @@ struct WalkTrust {
   std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
 };
 
+/// Adds what the surrogate of a walk is expected to be off, beside what was measured on one body. Where no other body is known,
+/// the expected error is that measured one, which has a finding of its own.
+void add_expected_errors(const WalkFacts& walk, const std::vector<ValidationFacts>& validations, const std::string& begin,
+                         std::vector<Finding>& findings) {
+  const bool is_measured = validations.size() == 1 && validations.front().bodies == 1 && validations.front().displacement.median;
+  const auto is_of_one = [](const std::string& line) { return line.find("over 1 body") != std::string::npos; };
+  if (is_measured && std::ranges::any_of(walk.expected_error, is_of_one)) return;
+  for (const std::string& line : walk.expected_error) {
+    Finding finding{Tone::caution, begin + sentence_of(line), walk.source};
+    if (is_measured && line.starts_with("expected error")) {
+      const ValidationFacts& own = validations.front();
+      finding.text += " Measured on this body: " + io::percents(*own.displacement.median) + " in displacement";
+      if (own.volume.median) finding.text += " and " + io::percents(*own.volume.median) + " in chamber volume";
+      finding.text += ".";
+      finding.source += ", " + own.source;
+    }
+    findings.push_back(std::move(finding));
+  }
+}
+
 /// Adds the findings on walks.
 WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   WalkTrust trust;
@@ -396,13 +502,13 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
         std::ranges::any_of(pairs, [&](const WalkPair& pair) { return pair.first == &walk || pair.second == &walk; });
     const std::string begin = label_of(walk, facts.walks);
     if (!is_paired) findings.push_back(walk_finding(walk, begin));
+    if (goes_to_and_fro(walk)) findings.push_back(to_and_fro_finding(walk, begin));
     for (const std::string& line : walk.outside_validity) {
       findings.push_back({Tone::caution,
                           std::string(begin).append("Beyond what the surrogate was fitted to: ").append(line).append("."),
                           walk.source});
     }
-    for (const std::string& line : walk.expected_error)
-      findings.push_back({Tone::caution, begin + sentence_of(line), walk.source});
+    add_expected_errors(walk, facts.validations, begin, findings);
   }
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
   const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
@@ -442,8 +548,17 @@ const InflationFacts& decisive(const std::vector<InflationFacts>& inflations) {
 std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   if (!are_of_one_body(facts.inflations)) return {};
   const InflationFacts& one = decisive(facts.inflations);
-  tone = inflation_finding(one, "").tone;
-  if (one.limit) return "Usable below " + io::kilopascals(one.limit->pressure_Pa) + ", where the body balloons or buckles. ";
+  const KnownPressures known = known_pressures(facts, one);
+  tone = inflation_finding(one, known, "").tone;
+  if (one.limit) {
+    const std::string limit = io::kilopascals(one.limit->pressure_Pa) + ", where the body balloons or buckles";
+    const double share = known.drive_Pa.value_or(0.0) / one.limit->pressure_Pa;
+    if (share > meshes::largest_safe_share)
+      return "The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure of " + limit +
+             (share > 1.0 ? "." : meaning_of_share(share) + ".") + " ";
+    return "Usable up to " + io::kilopascals(meshes::largest_safe_share * one.limit->pressure_Pa) + ", 20 % below " + limit +
+           ". ";
+  }
   if (!one.highest_pressure_Pa) return {};
   const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
   if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
@@ -524,6 +639,8 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
 
 const char* to_string(Tone tone) {
   switch (tone) {
+    case Tone::note:
+      return "note";
     case Tone::good:
       return "good";
     case Tone::caution:
@@ -540,13 +657,16 @@ Verdict verdict_of(const ReportFacts& facts) {
   Verdict verdict{.headline = {}};
   std::vector<Finding>& findings = verdict.findings;
   for (const InflationFacts& inflation : facts.inflations)
-    findings.push_back(inflation_finding(inflation, label_of(inflation, facts.inflations)));
+    findings.push_back(inflation_finding(inflation, known_pressures(facts, inflation), label_of(inflation, facts.inflations)));
   if (facts.inflations.empty()) findings.push_back(missing("The pressure that the body bears", "inflate"));
   const WalkTrust walks = add_walks(facts, findings);
   for (const ValidationFacts& validation : facts.validations) findings.push_back(validation_finding(validation));
   if (facts.validations.empty()) findings.push_back(missing("How far the surrogate's shapes are off", "validate"));
   for (const CalibrationFacts& calibration : facts.calibrations) findings.push_back(calibration_finding(calibration));
-  if (facts.calibrations.empty()) findings.push_back(missing("A calibration of the surrogate", "calibrate"));
+  for (const ShippedParameters& shipped : facts.shipped)
+    findings.push_back({Tone::note, "The parameters of the surrogate came with menger: " + shipped.file + ".", shipped.source});
+  if (facts.calibrations.empty() && facts.shipped.empty())
+    findings.push_back(missing("A calibration of the surrogate", "calibrate"));
   for (const SearchFacts& search : facts.searches) findings.push_back(search_finding(search, facts.searches.size() > 1));
   for (const RankingFacts& ranking : facts.rankings) findings.push_back(ranking_finding(ranking));
   if (!facts.searches.empty() && facts.rankings.empty())
@@ -555,16 +675,28 @@ Verdict verdict_of(const ReportFacts& facts) {
   std::stable_partition(findings.begin(), findings.end(), [](const Finding& finding) { return finding.tone != Tone::missing; });
   verdict.headline = pressure_headline(facts, verdict.tone);
   verdict.headline += trust_headline(facts, walks, verdict.headline, verdict.tone);
+  // Walks come first in the headline, and must not hide that a shape is wrong.
+  const bool is_wrong = std::ranges::any_of(facts.validations, [](const ValidationFacts& one) {
+    return is_all_outside(one) || (one.bodies == 1 && one.displacement.median && tone_of(one) == Tone::bad);
+  });
+  if (is_wrong && verdict.headline.find("Do not trust the surrogate") == std::string::npos) {
+    verdict.headline += " Do not trust the surrogate for the shape of this body.";
+    verdict.tone = Tone::bad;
+  }
   while (verdict.headline.ends_with(' ')) verdict.headline.pop_back();
   return verdict;
 }
 
 std::vector<std::string> judging_words() {
   return {
-      "Shapes can be relied on up to a median error of " + io::percents(judged_by::good_error) + ", and not above " +
-          io::percents(judged_by::usable_error) + ".",
+      "Shapes of several bodies can be relied on up to a median error of " + io::percents(judged_by::good_error) +
+          ", and not above " + io::percents(judged_by::usable_error) + ". Those of one body, such as a robot in a loop, up to " +
+          io::percents(meshes::largest_shape_error) + ", if no displacement goes the wrong way.",
+      "A pressure is safe up to " + io::percents(meshes::largest_safe_share) +
+          " of the limit pressure; above, small faults of a cast wall decide.",
       "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
-          " body lengths goes nowhere. Two walks, of both models or of two meshes, agree if neither is more than " +
+          " body lengths is no walk: finite elements know no walk better than that. Two walks, of both models or of two meshes, "
+          "agree if neither is more than " +
           io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +
           io::shown(meshes::walk_limits::same_direction_deg) + " degrees. They have nothing in common if one is more than " +
           io::shown(meshes::walk_limits::comparable_speed) + " times as fast.",

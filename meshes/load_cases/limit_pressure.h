@@ -13,6 +13,9 @@ struct LimitPressure {
   std::string plenum{};  ///< empty if it has no name
 };
 
+/// Above this share of the limit pressure small faults of a cast wall decide.
+inline constexpr double largest_safe_share = 0.8;
+
 /// Returns the least limit pressure above 0 of a body, from the result (result.toml) of its inflation.
 ///
 /// Of each plenum the first limit point counts: on a path that goes on beyond it, the next one is the least pressure after the

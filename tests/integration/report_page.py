@@ -23,12 +23,13 @@ def write(path, text):
         file.write(text)
 
 
-def grid(x):
-    """A cube of 1 cm at x (m), and a smaller one on it."""
+def grid(x, pressure_Pa):
+    """A cube of 1 cm at x (m), and a smaller one on it, at one pressure."""
     points, corners = "", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
     for size, z in ((0.01, 0.0), (0.006, 0.01)):
         points += "\n".join(f"{x + size * a} {size * b} {z + size * c}" for a, b, c in corners) + "\n"
-    return f"""<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid><Piece NumberOfPoints="16" NumberOfCells="2">
+    return f"""<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid>
+<FieldData><DataArray type="Float64" Name="pressure_Pa" NumberOfTuples="1" format="ascii">{pressure_Pa}</DataArray></FieldData><Piece NumberOfPoints="16" NumberOfCells="2">
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{points}</DataArray></Points>
 <Cells><DataArray type="Int32" Name="connectivity" format="ascii">{' '.join(map(str, range(16)))}</DataArray>
 <DataArray type="Int32" Name="offsets" format="ascii">8 16</DataArray><DataArray type="UInt8" Name="types" format="ascii">12 12</DataArray></Cells>
@@ -47,7 +48,7 @@ def write_walk(folder, program, speed, lines):
     rows, files = "", ""
     for n in range(5):
         time_s = 0.5 * n
-        write(f"{folder}/frames/frame_{n}.vtu", grid(speed * time_s))
+        write(f"{folder}/frames/frame_{n}.vtu", grid(speed * time_s, 3000 * (n % 2)))  # full strokes at 0.5 s and 1.5 s
         files += f'<DataSet timestep="{time_s}" part="0" file="frames/frame_{n}.vtu"/>'
     for n in range(lines):
         time_s = 2 * n / (lines - 1)
@@ -120,6 +121,17 @@ def check_motion(browser, check, name):
         time.sleep(0.05)
     check.that(browser.value("document.getElementById('time').value") != position, f"{name}: Play moves the slider")
     browser.value("document.getElementById('play').click()")
+
+
+def check_first_view(browser, check):
+    """The view opens at the last full stroke, and colours show no way travelled. The page has been opened at its start."""
+    time = browser.value("document.getElementById('scene-time').textContent")
+    check.that("time 1.500 s" in time and "pressure 3.00 kPa" in time, f"the view opens at a full stroke: {time!r}")
+    browser.value("(() => { const choice = [...document.querySelectorAll('.controls select')].find(s => [...s.options].some(o => o.value === 'displacement'));"
+                  " choice.value = 'displacement'; choice.dispatchEvent(new Event('change')); })()")
+    browser.settle()
+    largest = browser.value("document.querySelector('.bar').lastChild.textContent")
+    check.that(float(largest.split()[0]) < 1, f"a body that travels without a change of shape is displaced by nothing: {largest!r}")
 
 
 def check_page(browser, check, page, name):
@@ -204,6 +216,8 @@ def main():
         for page in [scratch + "/results/report.html"] + pages:
             check_page(browser, check, page, os.path.basename(os.path.dirname(page)))
         browser.open(scratch + "/results/report.html")
+        browser.settle()
+        check_first_view(browser, check)
         check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "evolution/loop/loop_state.h"
+#include "evolution/loop/loop_verdict_file.h"
 #include "io/process/exit_code.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -338,6 +340,25 @@ TEST_F(LoopRunTest, ReportIsTheLastStageIfItsProgramIsThere) {
   add("[ground]\nkinetic_friction = 0.4\n");
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"simulate", "locomote", "locomote", "report"}));
+}
+
+TEST_F(LoopRunTest, LeavesWhatCameOutForTheReport) {
+  const std::string walk =
+      R"(printf 'status = "completed"\ntime_s = 5.0\ndisplacement_m = [0.04, 0, 0]\nhorizontal_displacement_body_lengths = 1.0\n' > )";
+  write_program("simulate", walk + "$out/result.toml");
+  write_program("locomote", walk + "$out/locomotion.toml");
+  write_program("report", "cp loop_verdict.json report.html");
+  ASSERT_EQ(run(), io::exit_code::done);
+  const std::optional<LoopVerdict> verdict = read_loop_verdict(folder_ / "results");
+  ASSERT_TRUE(verdict);
+  ASSERT_FALSE(verdict->lines.empty());
+  for (const std::string& line : verdict->lines) EXPECT_NE(out_.str().find("- " + line + "\n"), std::string::npos) << line;
+  EXPECT_EQ(io::read_whole(folder_ / "results/report.html"), io::read_whole(folder_ / "results/loop_verdict.json"))
+      << "the report is made when the verdict is there";
+  EXPECT_TRUE(verdict->is_current(folder_ / "results"));
+  EXPECT_TRUE(verdict->results.contains("mesh/mesh_manifest.json"));
+  io::write_whole(folder_ / "results/locomote/manifest.json", "{\"another\": 1}");
+  EXPECT_FALSE(verdict->is_current(folder_ / "results"));
 }
 
 TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {

@@ -83,6 +83,16 @@ TEST(PageText, MakesNoMarkupOfTexts) {
   EXPECT_EQ(count_of(text, "</script"), count_of(harmless, "</script"));
 }
 
+TEST(PageText, LinksItsSources) {
+  ReportPage page{.title = "t", .made = "m", .folder = "../results", .verdict = {.headline = "h"}};
+  page.verdict.findings = {{Tone::good, "f", "a b/result.toml, \"c\".csv"}, {Tone::missing, "g", "menger inflate"}};
+  const std::string text = page_text(page, std::nullopt);
+  EXPECT_NE(text.find("from <a href=\"../results/a%20b/result.toml\">a b/result.toml</a>, "
+                      "<a href=\"../results/%22c%22.csv\">&quot;c&quot;.csv</a>"),
+            std::string::npos);
+  EXPECT_NE(text.find("computed by menger inflate<"), std::string::npos) << "no file";
+}
+
 TEST(PageText, SpreadsNoDataIntoArguments) {
   // A browser refuses a call with some hundred thousand arguments, which a long table would bring.
   for (const char* name : {"chart.js", "scene.js", "page.js"})

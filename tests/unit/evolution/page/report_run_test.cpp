@@ -6,10 +6,13 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
 
+#include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/walk_animation.h"
+#include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
@@ -81,6 +84,75 @@ TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
   EXPECT_EQ(text.size(), result.bytes);
   EXPECT_NE(text.find("Walk of cube: finite elements and voxels"), std::string::npos);
   EXPECT_EQ(result.verdict.headline, "The surrogate walks as finite elements do.");
+}
+
+TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
+  const tests::TestFolder folder;
+  write_walk(folder / "locomote", "menger-locomote", "cube");
+  const auto loop_says = [&](const std::string& manifest) {
+    const std::map<std::string, std::string> results{{manifest, io::file_hash(folder / "locomote/manifest.json")}};
+    write_loop_verdict(folder, {.lines = {"The body bears its <pressure>.", "It walks."}, .results = results});
+  };
+  loop_says("locomote/manifest.json");
+  EXPECT_EQ(write_report(folder, quick()).verdict.came_out,
+            (std::vector<std::string>{"The body bears its <pressure>.", "It walks."}));
+  const std::string page = io::read_whole(folder / "report.html");
+  const std::size_t first = page.find("<li>The body bears its &lt;pressure&gt;.</li>\n<li>It walks.</li>");
+  EXPECT_LT(first, page.find("class=\"findings\""));
+  EXPECT_EQ(page.find("class=\"headline missing\">Nothing"), std::string::npos) << "the loop's words stand for the headline";
+
+  loop_says("simulate/manifest.json");
+  const ReportResult stale = write_report(folder, quick());
+  EXPECT_TRUE(stale.verdict.came_out.empty());
+  EXPECT_TRUE(has_note(stale, "is of earlier results"));
+  io::write_whole(folder / loop_verdict_name, "{}");
+  EXPECT_TRUE(has_note(write_report(folder, quick()), "is no verdict of a loop"));
+}
+
+TEST(ReportRun, SaysWhatWasComputed) {
+  const tests::TestFolder folder;
+  io::write_whole(
+      folder / "materials/soft.toml",
+      "name = \"Soft 30\"\nnot_measured = []\n[data_sheet]\nsource = \"d\"\ndensity_kg_per_m3 = 1000\nshore_hardness = "
+      "\"30\"\nmodulus_100_percent_Pa = 7e4\ntensile_strength_Pa = 1e6\nelongation_at_break = 9\n"
+      "[recommended]\nsource = \"the <data> sheet\"\nlargest_stretch = 2\nsmallest_stretch = 1\n"
+      "[recommended.law]\nname = \"neo_hookean\"\nshear_modulus_Pa = 40000\n"
+      "[[others]]\nsource = \"a test\"\nlargest_stretch = 2\nsmallest_stretch = 1\n"
+      "[others.law]\nname = \"neo_hookean\"\nshear_modulus_Pa = 16000\n");
+  const auto write_run = [&](const std::string& place, double kinetic_friction) {
+    write_walk(folder / place, "menger-locomote", "cube");
+    std::map<std::string, std::string> inputs;
+    io::note_input(inputs, folder / "materials/soft.toml");
+    io::write_manifest(
+        folder / place,
+        {.program = "menger-locomote",
+         .parameters = "[design]\nname = 'cube'\ncell_edge_m = 0.012\nlayers = [[\"110\", \"010\"]]\nwall_thickness_m = "
+                       "0.0025\nchambers = \"single\"\n[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 2900]\nfrequency_Hz = "
+                       "3\n[ground]\nstatic_friction = 1\nkinetic_friction = " +
+                       std::to_string(kinetic_friction) +
+                       "\n[material]\nloss_factor = 0.1\nloss_frequency_Hz = 30\n[material.law]\nname = "
+                       "\"neo_hookean\"\nshear_modulus_Pa = 40000\n[elements]\nkind = \"thin_wall\"\nfidelity = \"fine\"\n",
+         .seed = std::nullopt,
+         .inputs = inputs});
+  };
+  write_run("locomote", 0.5);
+  static_cast<void>(write_report(folder, quick()));
+  const std::string page = io::read_whole(folder / "report.html");
+  const std::size_t begin = page.find("<section id=\"inputs\"");
+  const std::string inputs = page.substr(begin, page.find("</section>", begin) - begin);
+  for (const char* row :
+       {"body</th><td>cube: 3 cells in 3 x 2 x 1<", "edge of a cell</th><td>12 mm<", "thickness of walls</th><td>2.5 mm<",
+        "silicone</th><td>Soft 30<", "law</th><td>neo hookean, shear modulus 40 kPa<",
+        "source of the law</th><td>the &lt;data&gt; sheet<",
+        "other laws in its record</th><td>1 more, with 0.4 times its shear modulus at rest<",
+        "loss factor (damping)</th><td>0.1 at 30 Hz<", "pressure of the drive</th><td>0 to 2.9 kPa<", "strokes</th><td>3 Hz<",
+        "friction on the ground</th><td>1 at rest, 0.5 sliding<", "finite elements</th><td>thin wall, fine<"})
+    EXPECT_NE(inputs.find(row), std::string::npos) << row << "\n" << inputs;
+  EXPECT_LT(begin, page.find("<section id=\"motion\""));
+  write_run("slippery", 0.2);
+  static_cast<void>(write_report(folder, quick()));
+  EXPECT_NE(io::read_whole(folder / "report.html").find("1 at rest, 0.5 sliding (locomote); 1 at rest, 0.2 sliding (slippery)<"),
+            std::string::npos);
 }
 
 TEST(ReportRun, IsAboutTheOnlyBodyAndTellsItsScenesApart) {
@@ -239,9 +311,29 @@ TEST(ReportRun, TakesAPictureOnceFromAFolderOfSeveralCommands) {
   for (const char* name : {"run.manifest.json", "scores.manifest.json"})
     io::write_manifest_file(folder / name, {.program = "menger-evolve", .parameters = "", .seed = std::nullopt, .inputs = {}});
   const std::string text = io::read_whole(write_report(folder, quick()).file);
-  EXPECT_NE(text.find("\"caption\":\"champion.png\""), std::string::npos);
+  const std::size_t first = text.find("\"file\":\"champion.png\"");
+  EXPECT_NE(first, std::string::npos);
   EXPECT_EQ(text.find("manifest.json/champion.png"), std::string::npos);
-  EXPECT_EQ(text.find("champion.png", text.find("champion.png") + 1), std::string::npos) << "it stands there once";
+  EXPECT_EQ(text.find("\"file\":\"champion.png\"", first + 1), std::string::npos) << "it stands there once";
+}
+
+TEST(ReportRun, SaysWhatAPictureShows) {
+  const tests::TestFolder folder;
+  for (const char* name : {"inflate", "limit"}) {
+    const fs::path place = folder / name;
+    const std::string limit = place.filename() == "limit" ? "[[limit_points]]\npressure_Pa = 7600\n" : "";
+    io::write_whole(place / "curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,2900,2e-6\n");
+    io::write_whole(place / "result.toml", "status = \"completed\"\n" + limit);
+    io::write_whole(place / "chamber.png", "\x89PNG\r\n\x1a\n...");
+    io::write_manifest(place, {.program = "menger-inflate", .parameters = "", .seed = std::nullopt, .inputs = {}});
+  }
+  const std::string text = io::read_whole(write_report(folder, quick()).file);
+  EXPECT_NE(text.find("at the end of its inflation. Thin lines: the body at rest.\",\"file\":\"inflate/chamber.png\""),
+            std::string::npos);
+  EXPECT_NE(
+      text.find("beyond the limit pressure: the pressure falls again there. Thin lines: the body at rest.\",\"file\":\"limit/"
+                "chamber.png\",\"link\":\"./limit/chamber.png\""),
+      std::string::npos);
 }
 
 TEST(ReportRun, SaysWhichFrameIsDamaged) {

@@ -49,7 +49,7 @@ TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   ASSERT_EQ(inflation.charts.size(), 1U);
   const PageChart& chart = inflation.charts.front();
   ASSERT_EQ(chart.series.size(), 1U);
-  EXPECT_EQ(chart.series.front().name, "plenum 0");
+  EXPECT_EQ(chart.series.front().name, "the chamber");
   EXPECT_EQ(chart.series.front().y, (std::vector<double>{0.0, 3.0, 2.5}));
   EXPECT_NEAR(chart.series.front().x[2], 4.0, 1e-12);
   ASSERT_EQ(chart.markers.size(), 2U);
@@ -89,7 +89,7 @@ TEST_F(ReportSectionsTest, TellTheLimitPressureFromTheLeastPressureAfterSnapThro
 TEST_F(ReportSectionsTest, ThinLongSeriesAndKeepTheirExtremes) {
   std::string walk = "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n";
   for (int n = 0; n < 30'000; ++n)
-    walk += std::to_string(n) + (n == 12'345 ? ",7,0,7\n" : n == 20'001 ? ",,,\n" : ",0,0," + std::to_string(1e-6 * n) + "\n");
+    walk += std::to_string(n) + (n == 12'345 ? ",7,0,7\n" : n == 20'001 ? ",,,\n" : "," + std::to_string(1e-6 * n) + ",0,\n");
   write("simulate/trajectory.csv", walk);
   write("simulate/result.toml", "status = \"completed\"\ntime_s = 30000\n");
   const PageSection walks = section({output("simulate")}, "walks");
@@ -100,11 +100,11 @@ TEST_F(ReportSectionsTest, ThinLongSeriesAndKeepTheirExtremes) {
     EXPECT_EQ(chart.series[0].x.size(), chart.series[0].y.size());
     EXPECT_NE(chart.note.find("up to 30000 rows"), std::string::npos) << chart.note;
   }
-  const PageSeries& distance = walks.charts[0].series[0];
-  EXPECT_EQ(distance.x.front(), 0.0);
-  EXPECT_EQ(distance.x.back(), 29'999.0);
-  EXPECT_NE(std::ranges::find(distance.y, 7000.0), distance.y.end()) << "the highest value";
-  EXPECT_TRUE(std::ranges::any_of(distance.y, [](double y) { return std::isnan(y); })) << "the gap";
+  const PageSeries& progress = walks.charts[0].series[0];
+  EXPECT_EQ(progress.x.front(), 0.0);
+  EXPECT_EQ(progress.x.back(), 29'999.0);
+  EXPECT_TRUE(std::ranges::any_of(progress.y, [](double y) { return std::abs(y - 7000.0) < 1e-6; })) << "the highest value";
+  EXPECT_TRUE(std::ranges::any_of(progress.y, [](double y) { return std::isnan(y); })) << "the gap";
 }
 
 TEST_F(ReportSectionsTest, LeaveShortSeriesAsTheyAre) {
@@ -114,7 +114,24 @@ TEST_F(ReportSectionsTest, LeaveShortSeriesAsTheyAre) {
   write("simulate/result.toml", "status = \"completed\"\ntime_s = 2000\n");
   const PageSection walks = section({output("simulate")}, "walks");
   EXPECT_EQ(walks.charts.at(0).series.at(0).x.size(), 2000U);
-  EXPECT_EQ(walks.charts.at(0).note, "");
+  EXPECT_EQ(walks.charts.at(1).note, "Every path begins at 0, 0.") << "nothing is left out";
+}
+
+TEST_F(ReportSectionsTest, DrawsHowAWalkComesBack) {
+  write("locomote/trajectory.csv",
+        "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0.001,0,0\n1,0.001,-0.02,0.02\n2,,,\n"
+        "3,0.001,0.015,0.015\n4,0.001,0.01,0.01\n");
+  write("locomote/locomotion.toml",
+        "status = \"completed\"\ntime_s = 4\ndisplacement_m = [0, 0.01, 0]\nhorizontal_displacement_m = 0.01\n"
+        "horizontal_displacement_body_lengths = 0.1\n");
+  const PageChart progress = section({output("locomote")}, "walks").charts.at(0);
+  EXPECT_EQ(progress.title, "Progress over time");
+  EXPECT_NEAR(progress.series.at(0).y.at(1), -20.0, 1e-9) << "behind its start";
+  EXPECT_NEAR(progress.series.at(0).y.at(3), 15.0, 1e-9);
+  EXPECT_NEAR(progress.series.at(0).y.at(4), 10.0, 1e-9);
+  const WalkFacts facts = read_facts({output("locomote")}, notes_).walks.at(0);
+  EXPECT_NEAR(facts.lowest_lengths.value_or(0.0), -0.2, 1e-9);
+  EXPECT_NEAR(facts.highest_lengths.value_or(0.0), 0.15, 1e-9);
 }
 
 TEST_F(ReportSectionsTest, ShowResidualsAndFittedValuesOfACalibration) {
@@ -149,10 +166,15 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
         "displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n"
         "all,displacement,outside,1,3,0.4,,0.4,0.4,bar,c\nbar,displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n");
   write("validate/signs.csv", "body,observable,count,wrong\nbar,extent_x_m,5,0\nbar,extent_y_m,4,3\n");
-  write("validate/volume_actuation.csv", "body,limit_pressure_Pa\nbar,15190\n");
+  write("validate/volume_actuation.csv", "body,limit_pressure_Pa,change_at_highest\nbar,15190,0.777\n");
   const PageSection validation = section({output("validate")}, "validation");
   ASSERT_EQ(validation.charts.size(), 1U);
   ASSERT_EQ(validation.tables.size(), 2U);
+  EXPECT_EQ(validation.tables[0].rows,
+            (std::vector<std::vector<std::string>>{{"bar", "displacement", "inside", "1", "2", "20", "\u2013", "20", "c"}}))
+      << "per cent, and one body once";
+  EXPECT_EQ(validation.tables[1].columns, (std::vector<std::string>{"body", "change at highest (%)", "limit pressure (kPa)"}));
+  EXPECT_EQ(validation.tables[1].rows.at(0).at(1), "77.7");
   EXPECT_NE(validation.tables[1].note.find("so may its limit pressure"), std::string::npos) << "two pressures of one body";
   EXPECT_EQ(validation.charts[0].title, "Displacements in both models: validate/errors.csv") << "no claim on what a fit has seen";
   EXPECT_EQ(validation.charts[0].series[0].x, std::vector<double>{1.0});
@@ -163,6 +185,7 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
   EXPECT_EQ(facts.bodies, 1U);
   EXPECT_EQ(facts.signs, 9U);
   EXPECT_EQ(facts.wrong_signs, 3U);
+  EXPECT_EQ(facts.wrong_ways, std::vector<std::string>{"extent y (3 of 4)"});
 }
 
 TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {

@@ -37,6 +37,15 @@ bool are_one(const json& a, const json& b) { return are_one_walk(stated_run(a), 
 
 TEST(StatedRun, IsOneWalkInBothModels) { EXPECT_TRUE(are_one(elements(), surrogate())); }
 
+TEST(StatedRun, HasTheHighestPressureOfTheDriveAndTheKindOfElements) {
+  EXPECT_EQ(stated_run(surrogate()).highest_pressure_Pa, 3000.0);
+  json parameters = elements();
+  parameters["elements"]["kind"] = "thin_wall";
+  parameters["drive"]["pressure_Pa"] = "much";
+  EXPECT_EQ(stated_run(parameters).elements, "thin_wall");
+  EXPECT_FALSE(stated_run(parameters).highest_pressure_Pa);
+}
+
 TEST(StatedRun, ComparesPhasesOnlyWhereTheyHaveAMeaning) {
   json a = elements();
   json b = surrogate();

@@ -1,0 +1,42 @@
+#include "evolution/loop/loop_verdict_file.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/text/content_hash.h"
+#include "io/text/input_error.h"
+#include "io/text/is_file.h"
+#include "io/text/version.h"
+#include "io/text/whole_file.h"
+
+namespace menger::evolution {
+
+namespace fs = std::filesystem;
+
+bool LoopVerdict::is_current(const fs::path& results_folder) const {
+  return std::ranges::all_of(results, [&](const auto& result) {
+    const fs::path file = results_folder / result.first;
+    return io::is_file(file) && io::file_hash(file) == result.second;
+  });
+}
+
+void write_loop_verdict(const fs::path& results, const LoopVerdict& verdict) {
+  const nlohmann::json whole{
+      {"program", "menger-loop"}, {"version", io::version()}, {"came_out", verdict.lines}, {"manifests_sha256", verdict.results}};
+  io::write_whole(results / loop_verdict_name, whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+std::optional<LoopVerdict> read_loop_verdict(const fs::path& results) {
+  const fs::path file = results / loop_verdict_name;
+  if (!io::is_file(file)) return std::nullopt;
+  const std::string text = io::read_whole(file);
+  try {
+    const nlohmann::json whole = nlohmann::json::parse(text);
+    return LoopVerdict{.lines = whole.at("came_out").get<std::vector<std::string>>(),
+                       .results = whole.at("manifests_sha256").get<std::map<std::string, std::string>>()};
+  } catch (const nlohmann::json::exception&) {
+    throw io::InputError(file.string() + ": is no verdict of a loop; run the loop again");
+  }
+}
+
+}  // namespace menger::evolution

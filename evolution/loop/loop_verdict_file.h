@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace menger::evolution {
+
+/// What a loop says came out, as it leaves it for the report in loop_verdict.json.
+struct LoopVerdict {
+  std::vector<std::string> lines{};              ///< sentences for people
+  std::map<std::string, std::string> results{};  ///< SHA-256 by manifest of the results that they are about, from the folder
+
+  /// Whether the folder still has the results that the sentences are about.
+  [[nodiscard]] bool is_current(const std::filesystem::path& results_folder) const;
+};
+
+/// Writes it into the folder of the results. @throws io::InputError if it cannot be written
+void write_loop_verdict(const std::filesystem::path& results, const LoopVerdict& verdict);
+
+/// Reads it. @return nothing if the folder has none @throws io::InputError naming the file if it cannot be read
+std::optional<LoopVerdict> read_loop_verdict(const std::filesystem::path& results);
+
+/// The name of its file in the folder of the results.
+inline constexpr const char* loop_verdict_name = "loop_verdict.json";
+
+}  // namespace menger::evolution
