@@ -258,7 +258,8 @@ class LoopRun {
     const StageRecord* earlier = state_->find(stage.name);
     if (is_current(stage, earlier, key)) {
       current_.insert(stage.name);
-      out_ << label(n) << "  as before: " << earlier->finding << std::endl;
+      // Told anew: what a stage found is compared with the drive, which may have changed since.
+      out_ << label(n) << "  as before: " << stage_finding(stage.name, places_.results, robot_) << std::endl;
       return earlier->status == StageStatus::numerical ? io::exit_code::numerical : io::exit_code::done;
     }
     return run_program(stage, n, key);

@@ -119,6 +119,19 @@ TEST_F(LoopRunTest, ChangedKeyRunsOnlyWhatDependsOnIt) {
   EXPECT_EQ(called(), all_of_bar);
 }
 
+TEST_F(LoopRunTest, StageThatIsAsBeforeIsComparedWithTheDriveAsItIsNow) {
+  write_program("inflate",
+                R"(printf 'status = "completed"\n[[limit_points]]\nplenum = "plenum 0"\npressure_Pa = 8000\n' > $out/result.toml
+echo step,plenum_0_volume_m3 > $out/curves.csv)");
+  ASSERT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_NE(out_.str().find("it balloons at 8 kPa; the drive of 6 kPa is 75 % of that"), std::string::npos) << out_.str();
+  add("[drive]\npressure_Pa = [0, 7000]\n");
+  ASSERT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_EQ(called(), Names{"inflate"});  // only the inflation up to the drive's pressure
+  EXPECT_NE(out_.str().find("as before: it balloons at 8 kPa; the drive of 7 kPa is 88 % of that"), std::string::npos)
+      << out_.str();
+}
+
 TEST_F(LoopRunTest, BodyOfTheFitIsNotValidated) {
   change("\"1111\"", "\"111\"");
   EXPECT_EQ(run(), io::exit_code::done);
