@@ -234,24 +234,40 @@ class LoopRun {
     return "";
   }
 
-  /// @return the exit code of the stage
-  int run_stage(const LoopStage& stage, std::size_t n) {
+  /// Returns why a stage cannot run, or says nothing of this robot; empty if it runs.
+  [[nodiscard]] std::string left_out_because(const LoopStage& stage) {
     if (const std::string lacking = lacks(stage); !lacking.empty()) {
       const std::string reason = "needs a result of " + lacking;
       if (only_ != nullptr)
         throw io::InputError("--only " + stage.name + ": " + reason + ": first menger loop --until " + lacking);
-      out_ << label(n) << "  left out: " << reason << std::endl;
-      state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
-      return io::exit_code::done;  // the stage that it needs has told its own
+      return reason;
     }
+    if (stage.needs_body && is_body_refused_) return "mesh refused the body";
+    if (only_ == nullptr && stage.name == "report" && current_.empty()) return "no stage has results";
     if (stage.needs_body) meshes::take_champion(robot_, places_);
     for (const meshes::RobotStudy study : stage.studies) {
       // Of a body that a search found this is known only now.
-      const std::string reason = meshes::missing_because(robot_, study);
-      if (reason.empty()) continue;
+      if (std::string reason = meshes::missing_because(robot_, study); !reason.empty()) return reason;
+    }
+    const bool is_limit_known = current_.contains("inflate") && current_.contains("limit");
+    if (only_ == nullptr && stage.is_driven && is_limit_known) return overdrive(places_.results, robot_);
+    return "";
+  }
+
+  /// Notes that a stage has no results of this robot. What an earlier robot or a run that was stopped left in its folder loses
+  /// its manifest, so that no report takes it for results.
+  void hide_results(const LoopStage& stage) const {
+    // Archives go on from what they have, and are set aside for another study.
+    if (!stage.manifest.empty() && !stage.is_set_aside) io::remove_if_there(places_.results / stage.manifest);
+  }
+
+  /// @return the exit code of the stage
+  int run_stage(const LoopStage& stage, std::size_t n) {
+    if (const std::string reason = left_out_because(stage); !reason.empty()) {
+      hide_results(stage);
       out_ << label(n) << "  left out: " << reason << std::endl;
       state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
-      return io::exit_code::done;
+      return io::exit_code::done;  // the stage that decided this has told its own
     }
     meshes::write_studies(robot_, stage.studies, places_);
     const std::string key = key_of(stage);
@@ -302,6 +318,8 @@ class LoopRun {
       record.files = files_below(places_.results / stage.name, places_.results);
     } else {
       record.finding = std::string(to_string(record.status));
+      hide_results(stage);
+      if (stage.name == "mesh" && record.status == StageStatus::refused) is_body_refused_ = true;
     }
     state_->set(stage.name, record);
 
@@ -435,6 +453,7 @@ class LoopRun {
   std::map<std::string, std::string> program_hashes_;
   std::map<std::string, std::string> inputs_;  ///< of the manifest
   std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
+  bool is_body_refused_ = false;               ///< by menger mesh, in this call
 };
 
 }  // namespace

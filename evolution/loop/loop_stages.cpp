@@ -46,6 +46,8 @@ class Stages {
     stage.studies = {study};
     stage.manifest = fs::path(name) / "manifest.json";
     stage.needs_body = meshes::needs_body(study);
+    stage.is_driven = study == RobotStudy::validate || study == RobotStudy::simulate || study == RobotStudy::locomote ||
+                      study == RobotStudy::locomote_finer;
     stage.expected_s = expected_s;
     if (stage.needs_body && robot_.evolves) stage.needs = {"export"};
     add_silicone(stage);

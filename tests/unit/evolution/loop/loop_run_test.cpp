@@ -132,6 +132,54 @@ echo step,plenum_0_volume_m3 > $out/curves.csv)");
       << out_.str();
 }
 
+TEST_F(LoopRunTest, RefusedBodyIsTriedOnce) {
+  write_program("mesh", "echo 'menger-mesh: error: cells touch along an edge only' >&2");
+  write_program("report", "echo page > report.html");
+  end_with("mesh", io::exit_code::bad_input);
+  EXPECT_EQ(run(), io::exit_code::bad_input);
+  EXPECT_EQ(called(), Names{"mesh"});
+  EXPECT_NE(out_.str().find("2 of 8  inflate         left out: mesh refused the body"), std::string::npos) << out_.str();
+  end_with("mesh", io::exit_code::done);
+  EXPECT_EQ(run("locomote_finer"), io::exit_code::done);
+  EXPECT_EQ(called(), all_of_bar);
+}
+
+/// What menger inflate writes of a body that balloons at 8 kPa, if it is to bear more.
+constexpr const char* balloons_at_8_kPa = R"(
+head='status = "completed"\n'; [[ $out = inflate ]] && grep -q 'pressure_Pa = .*9000' $1 && head='status = "limit_point"\n' && code=3
+printf "$head[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 8000\n" > $out/result.toml
+echo step,plenum_0_volume_m3 > $out/curves.csv
+[[ $code ]] && exit 3)";
+
+TEST_F(LoopRunTest, WhatTheBodyDoesNotBearIsNotWalkedWith) {
+  write_program("inflate", balloons_at_8_kPa);
+  ASSERT_EQ(run(), io::exit_code::done) << out_.str();
+  EXPECT_EQ(called(), all_of_bar);
+  add("[drive]\npressure_Pa = [0, 9000]\n");
+  EXPECT_EQ(run(), io::exit_code::numerical);
+  EXPECT_EQ(called(), Names{"inflate"});
+  EXPECT_NE(out_.str().find("locomote        left out: it balloons at 8 kPa, before the 9 kPa of drive.pressure_Pa"),
+            std::string::npos)
+      << out_.str();
+  EXPECT_NE(out_.str().find("lower drive.pressure_Pa below 8 kPa"), std::string::npos) << out_.str();
+  // No report may take the walk of the former drive for one of this drive.
+  EXPECT_FALSE(fs::exists(folder_ / "results/locomote/manifest.json"));
+  EXPECT_EQ(run("", "locomote"), io::exit_code::done);  // who asks for it gets it
+  EXPECT_EQ(called(), Names{"locomote"});
+}
+
+TEST_F(LoopRunTest, StageThatWasStoppedOrFailedLeavesNothingThatAReportShows) {
+  for (const int code : {io::exit_code::interrupted, io::exit_code::bad_input, 1}) {
+    end_with("simulate", code);  // its manifest is written all the same
+    EXPECT_EQ(run("simulate"), code);
+    EXPECT_FALSE(fs::exists(folder_ / "results/simulate/manifest.json")) << code;
+    EXPECT_TRUE(fs::exists(folder_ / "results/inflate/manifest.json"));
+  }
+  end_with("simulate", io::exit_code::numerical);  // that is a result
+  EXPECT_EQ(run("simulate"), io::exit_code::numerical);
+  EXPECT_TRUE(fs::exists(folder_ / "results/simulate/manifest.json"));
+}
+
 TEST_F(LoopRunTest, BodyOfTheFitIsNotValidated) {
   change("\"1111\"", "\"111\"");
   EXPECT_EQ(run(), io::exit_code::done);
