@@ -80,6 +80,16 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "[drive]\npressure_Pa = [3000, 1000]\n", "the lowest comes first");
   expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "the highest must be > 0");
   expect(whole + "[drive]\npressure_Pa = [1]\n", "pressure_Pa");
+  expect(whole + "[drive]\npressure_Pa = 3000\n", "pressure_Pa = 3000: must be two numbers");
+  const auto expect_body = [&](const std::string& body, const std::string& part) {
+    expect("[robot]\nsilicone = \"dragon_skin_10\"\n" + body, part);
+  };
+  expect_body("layers = [[\"1\"]]\ncell_edge_m = 12\n", "cell_edge_m = 12: is more than 0.5 m: lengths are in metres");
+  expect_body("layers = [[\"1\"]]\ncell_edge_m = \"12mm\"\n", "cell_edge_m = \"12mm\": must be a number (metres)");
+  expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [...]: the body is in 2 parts");
+  expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "robot.digits = \"1001\": the body is in 2 parts");
+  expect_body("layers = [[\"10\", \"01\"], [\"11\", \"01\"]]\ncell_edge_m = 0.01\n",
+              "cells (0, 0, 0) and (1, 1, 0) touch only along an edge");
   expect(whole + "[ground]\nstatic_friction = 0.4\n", "kinetic_friction");
   expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
   expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");
