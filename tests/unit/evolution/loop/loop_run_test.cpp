@@ -407,6 +407,7 @@ TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
   EXPECT_NE(out_.str().find("bar: 11 cells of 10 mm with walls of 2 mm, Dragon Skin 10, one chamber, 0 to 6 kPa at 3 Hz"),
             std::string::npos)
       << out_.str();
+  EXPECT_NE(out_.str().find("\nlaw: initial shear modulus "), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("(dragon_skin_10_1cm.toml)"), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("expected error for a plate on legs: "), std::string::npos) << out_.str();
 }

@@ -48,6 +48,19 @@ TEST(RobotFile, PressureOfTheDriveScalesWithSiliconeAndWalls) {
   EXPECT_EQ(drive_pressure_Pa(read_text(folder, std::string(table) + "[drive]\npressure_Pa = [-100, 2000]\n"))[0], -100.0);
 }
 
+TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
+  const tests::TestFolder folder;
+  EXPECT_EQ(law_summary_of(read_text(folder, table)),
+            "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
+            "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
+            "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it");
+  Robot robot = read_text(folder, table);
+  robot.record.others.resize(1);
+  EXPECT_NE(law_summary_of(robot).find("; the other law of the record has 0.37 times as much (ogden1"), std::string::npos);
+  robot.record.others.clear();
+  EXPECT_NE(law_summary_of(robot).find("; the record has no other law"), std::string::npos);
+}
+
 TEST(RobotFile, IsToldFromOtherStudiesByItsTable) {
   const tests::TestFolder folder;
   io::write_whole(folder / "robot.toml", table);
