@@ -180,7 +180,7 @@ const LoopStage& stage_named(const std::vector<LoopStage>& stages, std::string_v
   for (const LoopStage& stage : stages) names.push_back(stage.name);
   const std::optional<std::string> meant = io::near_miss(name, names);
   throw io::InputError(std::string(option) + " " + name + ": this robot has no such stage" +
-                       (meant ? ", did you mean " + *meant + "?" : "") + " Its stages: " + io::joined(names));
+                       (meant ? ", did you mean " + *meant + "?" : ".") + " Its stages: " + io::joined(names));
 }
 
 }  // namespace menger::evolution

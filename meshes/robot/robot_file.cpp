@@ -84,11 +84,13 @@ void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
     throw table->error("pressure_Pa", "must be two numbers, the lowest and the highest pressure, such as [0, 3000]");
   std::optional<std::vector<double>> pressure_Pa;
   if (robot.pressure_Pa) pressure_Pa.emplace(robot.pressure_Pa->begin(), robot.pressure_Pa->end());
-  visitor.optional_numbers({"pressure_Pa",
-                            "Lowest and highest pressure in the chambers, above that around them. Without it, 0 and what "
-                            "loads these walls as 6 kPa loads walls of 2 mm between cells of 10 mm in Dragon Skin 10.",
-                            "[0, 6000]"},
-                           pressure_Pa, io::any_number(), {.fewest = 2, .most = 2});
+  visitor.optional_numbers(
+      {"pressure_Pa",
+       "Lowest and highest pressure in the chambers, above that around them. Without it, 0 and what "
+       "loads these walls as 6 kPa loads walls of 2 mm between cells of 10 mm in Dragon Skin 10: the first line of "
+       "menger loop has it.",
+       "[0, 6000]"},
+      pressure_Pa, io::any_number(), {.fewest = 2, .most = 2});
   robot.pressure_Pa.reset();
   if (pressure_Pa && pressure_Pa->size() == 2) robot.pressure_Pa = {pressure_Pa->front(), pressure_Pa->back()};
   visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() <= robot.pressure_Pa->back(), "pressure_Pa",
@@ -147,7 +149,8 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
         robot.walks);
     visitor.number({"duration_s", "Simulated time."}, robot.duration_s, io::positive());
     visitor.word({"fidelity",
-                  "How finely walls are cut into finite elements. The robot walks on the next finer ones, too, to show how well "
+                  "How finely walls are cut into finite elements, also where the body is inflated. The robot walks on the next "
+                  "finer ones, too, to show how well "
                   "its walk is known."},
                  robot.fidelity, io::words_of(RobotFidelity::draft, RobotFidelity::standard, RobotFidelity::fine));
   });
