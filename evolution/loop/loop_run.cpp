@@ -111,13 +111,19 @@ class LoopRun {
       if (meshes::missing_because(robot_, study).empty() && (robot_.has_body() || !needs_body(study))) studies.push_back(study);
     }
     meshes::write_studies(robot_, studies, places_);
-    for (const meshes::RobotStudy study : studies) out_ << shown(places_.study(study)) << '\n';
-    if (!robot_.has_body()) out_ << "the other studies need the body, which the stages evolve and export find\n";
-    out_ << "Run one as " << shown(places_.results) << " has it, for example:\n  cd " << shown(places_.results) << "\n";
-    for (const LoopStage& stage : stages_) {
-      if (stage.program == "menger-report") continue;
-      out_ << "  menger " << stage.program.substr(std::string("menger-").size()) << ' ' << io::joined(stage.arguments, " ")
+    for (const meshes::RobotStudy study : studies) {
+      const bool has_stage = std::ranges::any_of(
+          stages_, [&](const LoopStage& stage) { return std::ranges::find(stage.studies, study) != stage.studies.end(); });
+      out_ << shown(places_.study(study)) << (has_stage ? "" : "  (menger comes with these parameters; fitted with --fit)")
            << '\n';
+    }
+    if (!robot_.has_body()) out_ << "the other studies need the body, which the stages evolve and export find\n";
+    out_ << "menger loop runs these commands, one after the other, in the folder of the results:\n  cd " << shown(places_.results)
+         << "\n";
+    for (const LoopStage& stage : stages_) {
+      const bool is_report = stage.program == "menger-report";
+      out_ << "  menger " << stage.program.substr(std::string("menger-").size()) << ' '
+           << (is_report ? "." : io::joined(stage.arguments, " ")) << '\n';
     }
     out_ << std::flush;
     return io::exit_code::done;
@@ -292,8 +298,7 @@ class LoopRun {
     state_->set(stage.name, record);
     std::vector<std::string> arguments = stage.arguments;
     if (stage.may_restart && !goes_on) arguments.emplace_back("--restart");
-    const bool has_terminal = ::isatty(STDERR_FILENO) == 1;
-    if (!has_terminal) out_ << label(n) << "  " << std::flush;
+    begin_line(n, ::isatty(STDERR_FILENO) != 1);
 
     io::ChildOutcome outcome = start(stage, n, arguments, expected_s);
     // A program also refuses a lock or a full disk: only results of another study make way.
@@ -304,6 +309,7 @@ class LoopRun {
         put_back(stage, *aside);
       } else {
         record.takes_over = false;
+        begin_line(n);
         out_ << "(its earlier results are now in " << shown(*aside) << ") ";
       }
     }
@@ -323,16 +329,39 @@ class LoopRun {
     }
     state_->set(stage.name, record);
 
-    if (has_terminal) out_ << label(n) << "  ";
+    begin_line(n);
     tell(stage, record, outcome);
+    is_line_begun_ = false;
     if (record.status == StageStatus::interrupted) return io::exit_code::interrupted;
     if (record.status == StageStatus::refused) return io::exit_code::bad_input;
     if (record.status == StageStatus::failed) return 1;
     return outcome.exit_code;
   }
 
+  /// Begins the line of a stage, unless it has begun. @param is_shown whether it is; at a terminal a bar takes its place first
+  void begin_line(std::size_t n, bool is_shown = true) {
+    if (is_shown && !is_line_begun_) out_ << label(n) << "  " << std::flush;
+    is_line_begun_ = is_shown;
+  }
+
+  /// Says how far a stage is, where no terminal has a bar that shows it.
+  /// @param told by its program; nothing: its usual time is all that is known
+  void tell_waiting(const LoopStage& stage, std::size_t n, double seconds, double expected_s,
+                    const std::optional<io::ToldProgress>& told) {
+    if (::isatty(STDERR_FILENO) == 1 || seconds < next_told_s_) return;
+    next_told_s_ = seconds + request_.tell_every_s;
+    const double part = told ? told->part : seconds / expected_s;
+    std::string text = "runs for " + io::duration_text(seconds);
+    if (part > 0.0 && part < 1.0) text += ", about " + io::duration_text(seconds * (1.0 - part) / part) + " left";
+    if (told && !told->note.empty()) text += " (" + told->note + ")";
+    begin_line(n);
+    out_ << text << "; see " << shown(log_of(stage)) << std::endl;
+    is_line_begun_ = false;
+  }
+
   io::ChildOutcome start(const LoopStage& stage, std::size_t n, const std::vector<std::string>& arguments, double expected_s) {
     io::remove_if_there(told_file());
+    next_told_s_ = request_.tell_every_s;
     io::ChildProgram child{.program = request_.programs / stage.program,
                            .arguments = arguments,
                            .folder = places_.results,
@@ -345,6 +374,7 @@ class LoopRun {
       if (request_.stop != nullptr && *request_.stop) io::come_to_stop();
       const std::optional<io::ToldProgress> told = io::told_progress(told_file());
       // A program that has told nothing yet is taken to need as long as expected.
+      tell_waiting(stage, n, seconds, expected_s, told);
       bar.update(told ? told->part : std::min(seconds / expected_s, 0.99), told ? told->note : "");
     };
     return io::run_child(child);
@@ -453,6 +483,8 @@ class LoopRun {
   std::map<std::string, std::string> program_hashes_;
   std::map<std::string, std::string> inputs_;  ///< of the manifest
   std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
+  bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
+  double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
   bool is_body_refused_ = false;               ///< by menger mesh, in this call
 };
 

@@ -282,6 +282,47 @@ TEST_F(LoopRunTest, StageThatWasStoppedBeforeItReadItsStudyGoesOnWithoutTheOldCh
   EXPECT_EQ(run("locomote"), io::exit_code::done) << out_.str();
 }
 
+/// A text that tells a waiting program in a file that it has a part.
+class WatchedText : public std::stringbuf {
+ public:
+  WatchedText(std::string part, fs::path seen) : part_(std::move(part)), seen_(std::move(seen)) {}
+
+ private:
+  int sync() override {
+    if (str().find(part_) != std::string::npos) io::write_whole(seen_, "");
+    return 0;
+  }
+
+  std::string part_;
+  fs::path seen_;
+};
+
+TEST_F(LoopRunTest, WithoutATerminalLinesTellHowFarAStageIsAndItsLog) {
+  const fs::path seen = folder_ / "seen";
+  write_program("validate", "printf '0.5 24 of 48 cases\\n' > $MENGER_PROGRESS_FILE; for ((n = 0; n < 600; n++)); do [ -e '" +
+                                seen.string() + "' ] && break; sleep 0.1; done");
+  WatchedText text("(24 of 48 cases)", seen);
+  std::ostream out(&text);
+  const LoopRequest request{
+      .robot = folder_ / "robot.toml", .only = "validate", .programs = folder_ / "bin", .stop = &stop_, .tell_every_s = 0.0};
+  EXPECT_EQ(run_loop(request, out), io::exit_code::done);
+  EXPECT_TRUE(fs::exists(seen)) << text.str();
+  EXPECT_NE(text.str().find(" left (24 of 48 cases); see "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("logs/validate.txt\n"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("\n4 of 7  validate        "), std::string::npos) << text.str();
+}
+
+TEST_F(LoopRunTest, WrittenStudiesAreListedWithTheCommandsThatReadThem) {
+  write_program("report", "");
+  const LoopRequest request{.robot = folder_ / "robot.toml", .only_studies = true, .programs = folder_ / "bin"};
+  EXPECT_EQ(run_loop(request, out_), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+  for (const char* part :
+       {"studies/inflate.toml\n", "studies/calibrate.toml  (menger comes with these parameters; fitted with --fit)\n",
+        "studies/validate_load_cases.toml\n", "  menger inflate studies/limit.toml -o limit\n", "  menger report .\n"})
+    EXPECT_NE(out_.str().find(part), std::string::npos) << part << " in " << out_.str();
+}
+
 TEST_F(LoopRunTest, VerdictLeavesOutResultsOfAnEarlierRobot) {
   const std::string walk =
       R"(printf 'status = "completed"\ntime_s = 5.0\ndisplacement_m = [0.04, 0, 0]\nhorizontal_displacement_body_lengths = 1.0\n' > )";
@@ -318,7 +359,8 @@ TEST_F(LoopRunTest, UntilEndsThereAndOnlyRunsOneStage) {
   EXPECT_EQ(run("", "locomote"), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"locomote"}));
   EXPECT_NE(tests::message_of([&] { run("inflat"); }).find("did you mean inflate?"), std::string::npos);
-  EXPECT_NE(tests::message_of([&] { run("calibrate"); }).find("this robot has no such stage"), std::string::npos);
+  EXPECT_NE(tests::message_of([&] { run("calibrate"); }).find("this robot has no such stage. Its stages: mesh, "),
+            std::string::npos);
   change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
   EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
 }
