@@ -40,7 +40,7 @@ std::optional<int> parse(LoopRequest& request, int argc, char** argv) {
     menger::meshes::Robot robot;
     describe(visitor, robot);
   });
-  app.add_option("robot", request.robot, "File of a robot (TOML); menger init writes one")->required();
+  app.add_option("robot", request.robot, "File of a robot (TOML), or its folder; menger init writes one")->required();
   app.add_option("-o,--output", request.results, "Folder of the results (default: results, beside the robot)");
   CLI::Option* until = app.add_option("--until", request.until,
                                       "Last stage to run. Stages: mesh, inflate, limit, load_cases, calibrate, validate, "

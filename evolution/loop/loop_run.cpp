@@ -490,7 +490,10 @@ class LoopRun {
 
 }  // namespace
 
-int run_loop(const LoopRequest& request, std::ostream& out) {
+int run_loop(const LoopRequest& given, std::ostream& out) {
+  LoopRequest request = given;
+  std::error_code ignored;
+  if (fs::is_directory(request.robot, ignored)) request.robot /= "robot.toml";
   meshes::Robot robot = meshes::read_robot(request.robot);
   if (request.fits_anew && robot.parameters)
     throw io::InputError("--fit: " + request.robot.string() + ": surrogate.parameters names a file: nothing is fitted");

@@ -11,7 +11,7 @@ namespace menger::evolution {
 
 /// What a user asks of a loop.
 struct LoopRequest {
-  std::filesystem::path robot;      ///< robot.toml
+  std::filesystem::path robot;      ///< robot.toml, or the folder that has it
   std::filesystem::path results{};  ///< folder; empty: "results" beside the robot
   std::string until{};              ///< the last stage to run; empty: all
   std::string only{};               ///< the one stage to run; empty: all

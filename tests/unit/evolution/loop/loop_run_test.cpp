@@ -464,6 +464,12 @@ TEST_F(LoopRunTest, WrongInputWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "results"));
 }
 
+TEST_F(LoopRunTest, TakesTheFolderOfARobotForTheRobot) {
+  const LoopRequest request{.robot = fs::path(folder_), .until = "mesh", .programs = folder_ / "bin", .stop = &stop_};
+  EXPECT_EQ(run_loop(request, out_), io::exit_code::done);
+  EXPECT_TRUE(fs::exists(folder_ / "results/mesh"));
+}
+
 TEST_F(LoopRunTest, RefusesAStateThatItCannotRead) {
   io::write_whole(folder_ / "results/loop.json", "{\"stages\": {\"mesh\": 3}}");
   EXPECT_NE(tests::message_of([&] { run(); }).find("loop.json: is no state of a loop"), std::string::npos);
