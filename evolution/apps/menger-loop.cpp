@@ -25,11 +25,12 @@ constexpr const char* description =
 
 constexpr const char* example =
     "Example:\n"
-    "  menger init table\n"
-    "  menger loop table/robot.toml\n"
-    "writes table/results, with a folder and a log for each stage. The same command again repeats only what a change of the "
+    "  menger init crawler\n"
+    "  menger loop crawler/robot.toml\n"
+    "writes crawler/results, with a folder and a log for each stage. The same command again repeats only what a change of the "
     "file\n"
-    "decides, and goes on after Ctrl-C. The other commands take robot.toml, too: menger locomote table/robot.toml.\n"
+    "decides, and goes on after Ctrl-C. mesh, inflate, load-cases, calibrate, validate, simulate\n"
+    "and locomote take robot.toml, too: menger locomote crawler/robot.toml -o walk.\n"
     "Exit codes: 0 done, 2 wrong input, 3 a stage ended with a numerical outcome, 130 interrupted.";
 
 std::optional<int> parse(LoopRequest& request, int argc, char** argv) {
@@ -39,9 +40,12 @@ std::optional<int> parse(LoopRequest& request, int argc, char** argv) {
     menger::meshes::Robot robot;
     describe(visitor, robot);
   });
-  app.add_option("robot", request.robot, "File of a robot (TOML); menger init writes one")->required();
+  app.add_option("robot", request.robot, "File of a robot (TOML), or its folder; menger init writes one")->required();
   app.add_option("-o,--output", request.results, "Folder of the results (default: results, beside the robot)");
-  CLI::Option* until = app.add_option("--until", request.until, "Last stage to run, such as inflate or calibrate");
+  CLI::Option* until = app.add_option("--until", request.until,
+                                      "Last stage to run. Stages: mesh, inflate, limit, load_cases, calibrate, validate, "
+                                      "simulate, locomote, locomote_finer, evolve, "
+                                      "export, reevaluate, report, those that the robot asks for");
   app.add_option("--only", request.only, "The one stage to run")->excludes(until);
   app.add_flag("--fit", request.fits_anew, "Fit the voxels, although menger comes with parameters for these cells (minutes)");
   app.add_flag("--write-studies", request.only_studies,

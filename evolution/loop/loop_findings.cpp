@@ -303,6 +303,19 @@ std::string stage_finding(const std::string& stage, const fs::path& results, con
   }
 }
 
+std::string overdrive(const fs::path& results, const meshes::Robot& robot) {
+  try {
+    const double drive_Pa = drive_pressure_Pa(robot)[1];
+    const auto limit_Pa = limit_pressure_Pa(results);
+    const auto inflation = table_at(results / "inflate/result.toml");
+    // Some bodies snap through a limit point and bear more beyond it.
+    if (!limit_Pa || drive_Pa <= *limit_Pa || !inflation || early_end(*inflation).empty()) return "";
+    return "it balloons at " + kilopascals(*limit_Pa) + ", before the " + kilopascals(drive_Pa) + " of drive.pressure_Pa";
+  } catch (const io::InputError&) {
+    return "";
+  }
+}
+
 std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Robot& robot, const std::set<std::string>& stages) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& line) {

@@ -13,6 +13,10 @@ namespace menger::evolution {
 /// @param results folder of the results of the loop
 std::string stage_finding(const std::string& stage, const std::filesystem::path& results, const meshes::Robot& robot);
 
+/// Returns that a robot gets more pressure than its body bears, so that no walk of it can be computed; empty unless it does.
+/// @param results of the stages inflate and limit for this robot
+std::string overdrive(const std::filesystem::path& results, const meshes::Robot& robot);
+
 /// Returns what the results say together: whether the pressure is safe, whether both models walk alike, and how well the walk on
 /// finite elements is known. One sentence each; none for results that are not there. Walks that ended early are not compared.
 /// @param stages those whose results belong to this robot; files of others may be of an earlier one, and are not read

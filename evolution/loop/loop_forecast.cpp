@@ -36,7 +36,7 @@ std::string source_text(const meshes::Robot& robot, const fs::path& parameters) 
 
 std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
   const fs::path file = parameters_of(robot, places);
-  std::vector<std::string> lines{source_text(robot, file)};
+  std::vector<std::string> lines{law_summary_of(robot), source_text(robot, file)};
   if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
       static_cast<void>(voxel::read_surrogate(file));  // says what is wrong

@@ -112,13 +112,19 @@ class LoopRun {
       if (meshes::missing_because(robot_, study).empty() && (robot_.has_body() || !needs_body(study))) studies.push_back(study);
     }
     meshes::write_studies(robot_, studies, places_);
-    for (const meshes::RobotStudy study : studies) out_ << shown(places_.study(study)) << '\n';
-    if (!robot_.has_body()) out_ << "the other studies need the body, which the stages evolve and export find\n";
-    out_ << "Run one as " << shown(places_.results) << " has it, for example:\n  cd " << shown(places_.results) << "\n";
-    for (const LoopStage& stage : stages_) {
-      if (stage.program == "menger-report") continue;
-      out_ << "  menger " << stage.program.substr(std::string("menger-").size()) << ' ' << io::joined(stage.arguments, " ")
+    for (const meshes::RobotStudy study : studies) {
+      const bool has_stage = std::ranges::any_of(
+          stages_, [&](const LoopStage& stage) { return std::ranges::find(stage.studies, study) != stage.studies.end(); });
+      out_ << shown(places_.study(study)) << (has_stage ? "" : "  (menger comes with these parameters; fitted with --fit)")
            << '\n';
+    }
+    if (!robot_.has_body()) out_ << "the other studies need the body, which the stages evolve and export find\n";
+    out_ << "menger loop runs these commands, one after the other, in the folder of the results:\n  cd " << shown(places_.results)
+         << "\n";
+    for (const LoopStage& stage : stages_) {
+      const bool is_report = stage.program == "menger-report";
+      out_ << "  menger " << stage.program.substr(std::string("menger-").size()) << ' '
+           << (is_report ? "." : io::joined(stage.arguments, " ")) << '\n';
     }
     out_ << std::flush;
     return io::exit_code::done;
@@ -236,31 +242,48 @@ class LoopRun {
     return "";
   }
 
-  /// @return the exit code of the stage
-  int run_stage(const LoopStage& stage, std::size_t n) {
+  /// Returns why a stage cannot run, or says nothing of this robot; empty if it runs.
+  [[nodiscard]] std::string left_out_because(const LoopStage& stage) {
     if (const std::string lacking = lacks(stage); !lacking.empty()) {
       const std::string reason = "needs a result of " + lacking;
       if (only_ != nullptr)
         throw io::InputError("--only " + stage.name + ": " + reason + ": first menger loop --until " + lacking);
-      out_ << label(n) << "  left out: " << reason << std::endl;
-      state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
-      return io::exit_code::done;  // the stage that it needs has told its own
+      return reason;
     }
+    if (stage.needs_body && is_body_refused_) return "mesh refused the body";
+    if (only_ == nullptr && stage.name == "report" && current_.empty()) return "no stage has results";
     if (stage.needs_body) meshes::take_champion(robot_, places_);
     for (const meshes::RobotStudy study : stage.studies) {
       // Of a body that a search found this is known only now.
-      const std::string reason = meshes::missing_because(robot_, study);
-      if (reason.empty()) continue;
+      if (std::string reason = meshes::missing_because(robot_, study); !reason.empty()) return reason;
+    }
+    const bool is_limit_known = current_.contains("inflate") && current_.contains("limit");
+    if (only_ == nullptr && stage.is_driven && is_limit_known) return overdrive(places_.results, robot_);
+    return "";
+  }
+
+  /// Notes that a stage has no results of this robot. What an earlier robot or a run that was stopped left in its folder loses
+  /// its manifest, so that no report takes it for results.
+  void hide_results(const LoopStage& stage) const {
+    // Archives go on from what they have, and are set aside for another study.
+    if (!stage.manifest.empty() && !stage.is_set_aside) io::remove_if_there(places_.results / stage.manifest);
+  }
+
+  /// @return the exit code of the stage
+  int run_stage(const LoopStage& stage, std::size_t n) {
+    if (const std::string reason = left_out_because(stage); !reason.empty()) {
+      hide_results(stage);
       out_ << label(n) << "  left out: " << reason << std::endl;
       state_->set(stage.name, {.status = StageStatus::left_out, .finding = reason});
-      return io::exit_code::done;
+      return io::exit_code::done;  // the stage that decided this has told its own
     }
     meshes::write_studies(robot_, stage.studies, places_);
     const std::string key = key_of(stage);
     const StageRecord* earlier = state_->find(stage.name);
     if (is_current(stage, earlier, key)) {
       current_.insert(stage.name);
-      out_ << label(n) << "  as before: " << earlier->finding << std::endl;
+      // Told anew: what a stage found is compared with the drive, which may have changed since.
+      out_ << label(n) << "  as before: " << stage_finding(stage.name, places_.results, robot_) << std::endl;
       return earlier->status == StageStatus::numerical ? io::exit_code::numerical : io::exit_code::done;
     }
     return run_program(stage, n, key);
@@ -277,8 +300,7 @@ class LoopRun {
     state_->set(stage.name, record);
     std::vector<std::string> arguments = stage.arguments;
     if (stage.may_restart && !goes_on) arguments.emplace_back("--restart");
-    const bool has_terminal = ::isatty(STDERR_FILENO) == 1;
-    if (!has_terminal) out_ << label(n) << "  " << std::flush;
+    begin_line(n, ::isatty(STDERR_FILENO) != 1);
 
     io::ChildOutcome outcome = start(stage, n, arguments, expected_s);
     // A program also refuses a lock or a full disk: only results of another study make way.
@@ -289,6 +311,7 @@ class LoopRun {
         put_back(stage, *aside);
       } else {
         record.takes_over = false;
+        begin_line(n);
         out_ << "(its earlier results are now in " << shown(*aside) << ") ";
       }
     }
@@ -303,19 +326,44 @@ class LoopRun {
       record.files = files_below(places_.results / stage.name, places_.results);
     } else {
       record.finding = std::string(to_string(record.status));
+      hide_results(stage);
+      if (stage.name == "mesh" && record.status == StageStatus::refused) is_body_refused_ = true;
     }
     state_->set(stage.name, record);
 
-    if (has_terminal) out_ << label(n) << "  ";
+    begin_line(n);
     tell(stage, record, outcome);
+    is_line_begun_ = false;
     if (record.status == StageStatus::interrupted) return io::exit_code::interrupted;
     if (record.status == StageStatus::refused) return io::exit_code::bad_input;
     if (record.status == StageStatus::failed) return 1;
     return outcome.exit_code;
   }
 
+  /// Begins the line of a stage, unless it has begun. @param is_shown whether it is; at a terminal a bar takes its place first
+  void begin_line(std::size_t n, bool is_shown = true) {
+    if (is_shown && !is_line_begun_) out_ << label(n) << "  " << std::flush;
+    is_line_begun_ = is_shown;
+  }
+
+  /// Says how far a stage is, where no terminal has a bar that shows it.
+  /// @param told by its program; nothing: its usual time is all that is known
+  void tell_waiting(const LoopStage& stage, std::size_t n, double seconds, double expected_s,
+                    const std::optional<io::ToldProgress>& told) {
+    if (::isatty(STDERR_FILENO) == 1 || seconds < next_told_s_) return;
+    next_told_s_ = seconds + request_.tell_every_s;
+    const double part = told ? told->part : seconds / expected_s;
+    std::string text = "runs for " + io::duration_text(seconds);
+    if (part > 0.0 && part < 1.0) text += ", about " + io::duration_text(seconds * (1.0 - part) / part) + " left";
+    if (told && !told->note.empty()) text += " (" + told->note + ")";
+    begin_line(n);
+    out_ << text << "; see " << shown(log_of(stage)) << std::endl;
+    is_line_begun_ = false;
+  }
+
   io::ChildOutcome start(const LoopStage& stage, std::size_t n, const std::vector<std::string>& arguments, double expected_s) {
     io::remove_if_there(told_file());
+    next_told_s_ = request_.tell_every_s;
     io::ChildProgram child{.program = request_.programs / stage.program,
                            .arguments = arguments,
                            .folder = places_.results,
@@ -328,6 +376,7 @@ class LoopRun {
       if (request_.stop != nullptr && *request_.stop) io::come_to_stop();
       const std::optional<io::ToldProgress> told = io::told_progress(told_file());
       // A program that has told nothing yet is taken to need as long as expected.
+      tell_waiting(stage, n, seconds, expected_s, told);
       bar.update(told ? told->part : std::min(seconds / expected_s, 0.99), told ? told->note : "");
     };
     return io::run_child(child);
@@ -446,11 +495,17 @@ class LoopRun {
   std::map<std::string, std::string> program_hashes_;
   std::map<std::string, std::string> inputs_;  ///< of the manifest
   std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
+  bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
+  double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
+  bool is_body_refused_ = false;               ///< by menger mesh, in this call
 };
 
 }  // namespace
 
-int run_loop(const LoopRequest& request, std::ostream& out) {
+int run_loop(const LoopRequest& given, std::ostream& out) {
+  LoopRequest request = given;
+  std::error_code ignored;
+  if (fs::is_directory(request.robot, ignored)) request.robot /= "robot.toml";
   meshes::Robot robot = meshes::read_robot(request.robot);
   if (request.fits_anew && robot.parameters)
     throw io::InputError("--fit: " + request.robot.string() + ": surrogate.parameters names a file: nothing is fitted");

@@ -47,6 +47,8 @@ class Stages {
     stage.studies = {study};
     stage.manifest = fs::path(name) / "manifest.json";
     stage.needs_body = meshes::needs_body(study);
+    stage.is_driven = study == RobotStudy::validate || study == RobotStudy::simulate || study == RobotStudy::locomote ||
+                      study == RobotStudy::locomote_finer;
     stage.expected_s = expected_s;
     if (stage.needs_body && robot_.evolves) stage.needs = {"export"};
     add_silicone(stage);
@@ -180,7 +182,7 @@ const LoopStage& stage_named(const std::vector<LoopStage>& stages, std::string_v
   for (const LoopStage& stage : stages) names.push_back(stage.name);
   const std::optional<std::string> meant = io::near_miss(name, names);
   throw io::InputError(std::string(option) + " " + name + ": this robot has no such stage" +
-                       (meant ? ", did you mean " + *meant + "?" : "") + " Its stages: " + io::joined(names));
+                       (meant ? ", did you mean " + *meant + "?" : ".") + " Its stages: " + io::joined(names));
 }
 
 }  // namespace menger::evolution

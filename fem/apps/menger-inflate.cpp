@@ -51,7 +51,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     describe(visitor, study);
   });
   app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
-  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("-o,--output", arguments.folder,
+                 "folder of the results (default: the name of the study file; of a robot, its folder in results)");
   app.add_option("--refine", arguments.refinements,
                  "also run on this many finer meshes and compare; each mesh splits every element into eight")
       ->check(CLI::Range(0, 4));

@@ -64,7 +64,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   });
   app.add_option("set", arguments.set, "set of load cases, or robot.toml of menger init: those that its voxels are fitted to")
       ->required();
-  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the set file)");
+  app.add_option("-o,--output", arguments.folder,
+                 "folder of the results (default: the name of the set file; of a robot, its folder in results)");
   app.add_option("--only", arguments.only, "names of the cases to compute; the other cases stay as they are")->delimiter(',');
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   app.add_flag("--fields", arguments.fields,

@@ -5,6 +5,7 @@
 
 #include "fem/explicit/explicit_dynamics.h"
 #include "fem/explicit/gas_stiffness.h"
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "meshes/hexahedra/element_geometry.h"
 
@@ -235,7 +236,7 @@ void ExplicitDynamics::look_at_chambers() {
     const std::string chamber = "chamber " + std::to_string(c);
     if (!(ratio > 0.0)) report_ = failure(io::RunStatus::wall_contact, chamber + " has no volume left");
     if (ratio > options_.largest_volume_ratio)
-      report_ = failure(io::RunStatus::diverged, chamber + " grew to " + io::number_text(ratio) + " times its volume");
+      report_ = failure(io::RunStatus::diverged, chamber + " grew to " + io::shown(ratio) + " times its volume");
   }
   if (!walls_have_met()) return;
   const SelfTouch& touch = self_contact_.touches().front();

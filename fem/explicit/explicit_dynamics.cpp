@@ -370,7 +370,7 @@ ExplicitDynamics::HalfStep ExplicitDynamics::half_step() {
 }
 
 ExplicitReport ExplicitDynamics::failure(io::RunStatus status, const std::string& reason) const {
-  return {status, reason + " at " + io::number_text(state_.time_s) + " s", std::nullopt};
+  return {status, reason + " at " + io::shown(state_.time_s) + " s", std::nullopt};
 }
 
 ExplicitReport ExplicitDynamics::failure_in_element() const {

@@ -48,7 +48,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     describe(visitor, study);
   });
   app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
-  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("-o,--output", arguments.folder,
+                 "folder of the results (default: the name of the study file; of a robot, its folder in results)");
   app.add_option("--threads", arguments.threads, "threads, instead of the study's; results do not depend on them")
       ->check(CLI::Range(1, 1024));
   app.add_flag("--restart", arguments.restart, "start again from the beginning instead of resuming a stopped run");

@@ -1,6 +1,7 @@
 #include "io/text/toml_node.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <sstream>
@@ -37,6 +38,18 @@ std::string value_text(const toml::node& node) {
   return text.str();
 }
 
+/// Returns the unit of a key in words: people write "12mm". @param name may end with a position: "pressure_Pa[2]"
+std::string unit_note(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> units{
+      {{"_m", " (metres)"}, {"_Pa", " (pascals)"}, {"_s", " (seconds)"}, {"_Hz", " (hertz)"}}};
+  const std::string_view key = name.substr(0, name.find('['));
+  if (key.find("_per_") != std::string_view::npos) return "";
+  for (const auto& [ending, note] : units) {
+    if (key.ends_with(ending)) return std::string(note);
+  }
+  return "";
+}
+
 }  // namespace
 
 const toml::node* TomlTable::Node::find(std::string_view key) {
@@ -61,7 +74,7 @@ InputError TomlTable::Node::fault(std::string_view name, const toml::node& node,
 }
 
 double TomlTable::Node::number(const std::string& name, const toml::node& node, const Range& range) const {
-  if (!node.is_number()) throw fault(name, node, "must be a number");
+  if (!node.is_number()) throw fault(name, node, "must be a number" + unit_note(name));
   const toml::value<double>* floating = node.as_floating_point();
   const double value = floating != nullptr ? floating->get() : static_cast<double>(node.as_integer()->get());
   if (!std::isfinite(value)) throw fault(name, node, "must be a finite number");

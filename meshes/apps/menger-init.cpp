@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -36,7 +37,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
       "Exit codes: 0 done, 2 wrong input.");
   app.add_option("name", arguments.name, "Name of the robot and its folder");
   app.add_option("--from", arguments.start,
-                 "Robot to begin with; --list shows them (default: the one of the same name, or else table)");
+                 "Robot to begin with; --list shows them (default: the one of the same name, or else crawler)");
   app.add_flag("--list", arguments.list, "Show the robots to begin with");
   return io::parse_arguments(app, argc, argv);
 }
@@ -67,6 +68,15 @@ const StartingPoint& start_named(const std::string& name) {
                        " There are: " + io::joined(names));
 }
 
+/// Returns a text as one word of a command line: in quotes if it has other characters than those of plain names.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./";
+  if (text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char letter : text) word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return word + "'";
+}
+
 int run(const Arguments& arguments) {
   if (arguments.list) {
     print_list();
@@ -83,10 +93,16 @@ int run(const Arguments& arguments) {
   const std::string name = whole.filename().string();
   const StartingPoint& start = arguments.start.empty() ? start_for(name) : start_named(arguments.start);
   io::write_whole(file, robot_template(start, name));
-  std::cout << "wrote " << file.string() << " from " << start.name << ": " << summary_of(read_robot(file)) << "\n"
-            << "Next: change it to your robot, then\n"
-            << "  menger loop " << file.string() << " --until limit   (seconds: its mesh, and the pressure that it bears)\n"
-            << "  menger loop " << file.string() << "                 (minutes: everything that the file asks for)\n";
+  const Robot robot = read_robot(file);
+  std::cout << "wrote " << file.string() << " from " << start.name << ": " << summary_of(robot) << "\n"
+            << "Next: change it to your robot, then\n";
+  const std::string command = "  menger loop " + shell_word(file.string());
+  if (robot.evolves) {
+    std::cout << command << "                 (a quarter of an hour: the search, and all about the body that it finds)\n";
+    return io::exit_code::done;
+  }
+  std::cout << command << " --until limit   (seconds: its mesh, and the pressure that it bears)\n"
+            << command << "                 (minutes: everything that the file asks for)\n";
   return io::exit_code::done;
 }
 

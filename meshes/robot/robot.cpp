@@ -1,5 +1,6 @@
 #include "meshes/robot/robot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/shown/shown_quantity.h"
@@ -13,6 +14,13 @@ namespace {
 constexpr double known_shear_modulus_Pa = 86.7e3;
 constexpr double known_slenderness = 2.0 / 6.0;  ///< wall thickness over span
 constexpr double known_drive_Pa = 6000.0;
+
+/// Returns a law with its source, without the details that follow a comma or a bracket: "ogden1, Soft Robotics Materials
+/// Database".
+std::string named_law(const materials::SourcedLaw& sourced) {
+  const std::size_t end = std::min({sourced.source.find(" ("), sourced.source.find(", "), sourced.source.find(';')});
+  return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
+}
 
 }  // namespace
 
@@ -76,6 +84,23 @@ double scaled_pressure_Pa(const Robot& robot, double pressure_Pa) {
 
 std::array<double, 2> drive_pressure_Pa(const Robot& robot) {
   return robot.pressure_Pa.value_or(std::array{0.0, scaled_pressure_Pa(robot, known_drive_Pa)});
+}
+
+std::string law_summary_of(const Robot& robot) {
+  const materials::SiliconeRecord& record = robot.record;
+  const double modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);
+  std::string text = "law: initial shear modulus " + io::kilopascals(modulus_Pa) + " (" + named_law(record.recommended) + ")";
+  if (record.others.empty()) return text + "; the record has no other law";
+  const auto times = [&](const materials::SourcedLaw& law) {
+    return io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa) + " times as much (" +
+           named_law(law) + ")";
+  };
+  const auto [softest, stiffest] = std::ranges::minmax_element(
+      record.others, {}, [](const materials::SourcedLaw& law) { return materials::shear_modulus_at_rest_Pa(law.law); });
+  text += record.others.size() == 1 ? "; the other law of the record has " : "; the other laws of the record have ";
+  text += times(*softest);
+  if (stiffest != softest) text += " to " + times(*stiffest);
+  return text + ". The pressure that a body bears goes nearly with it";
 }
 
 std::string summary_of(const Robot& robot) {

@@ -92,4 +92,8 @@ double two_digits(double value);
 /// Returns the robot in one sentence for people: body, cells, walls, silicone, chambers and drive.
 std::string summary_of(const Robot& robot);
 
+/// Returns the law of the robot's silicone in one sentence for people: its initial shear modulus and source, and how much softer
+/// and stiffer the other laws of the record are. What a body bears goes nearly with this modulus.
+std::string law_summary_of(const Robot& robot);
+
 }  // namespace menger::meshes

@@ -6,14 +6,38 @@
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/silicone_library.h"
+#include "meshes/design/connectivity.h"
 #include "meshes/design/hollow_body_file.h"
+#include "meshes/design/weak_contacts.h"
 
 namespace menger::meshes {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// No cell of a robot is as large; who states more has written millimetres.
+constexpr double largest_cell_edge_m = 0.5;
+
+/// Refuses lengths in other units, and a body that cannot be cast as one.
+void check_body(const Robot& robot, const io::TomlTable& table) {
+  if (robot.design.cell_edge_m > largest_cell_edge_m) {
+    const std::string reason =
+        "is more than " + io::number_text(largest_cell_edge_m) + " m: lengths are in metres, 12 mm are 0.012";
+    if (table.has("cell_edge_m")) throw table.error("cell_edge_m", reason);
+    throw table.error("file", "its cell_edge_m " + reason);
+  }
+  if (!robot.has_body()) return;
+  const std::string_view key = robot.design_file ? "file" : table.has("digits") ? "digits" : "layers";
+  if (const std::size_t parts = count_components(robot.design.body); parts > 1)
+    throw table.error(key, "the body is in " + std::to_string(parts) + " parts that are not joined by a side of a cell");
+  if (const auto contact = first_weak_contact(robot.design.body)) {
+    throw table.error(key, "cells " + cell_text(contact->first) + " and " + cell_text(contact->second) +
+                               " touch only along an edge or at a corner: a cast body would break there");
+  }
+}
 
 void describe_body(io::StudyVisitor& visitor, Robot& robot) {
   std::optional<bool> evolves;
@@ -34,7 +58,7 @@ void describe_body(io::StudyVisitor& visitor, Robot& robot) {
   }
   visitor.number({"wall_thickness_m", "Thickness of every wall."}, robot.wall_thickness_m, io::positive());
   visitor.check(2.0 * robot.wall_thickness_m < robot.design.cell_edge_m, "wall_thickness_m",
-                "walls fill a cell: must be less than half of cell_edge_m");
+                "walls fill a cell: must be less than half of cell_edge_m (lengths are in metres)");
   visitor.word(
       {"chambers", "Cells that share one chamber: all of them, or each connected region of cells of one material (per-phase)."},
       robot.chambers, chamber_layout_words());
@@ -45,14 +69,28 @@ void describe_body(io::StudyVisitor& visitor, Robot& robot) {
                robot.silicone);
 }
 
+bool is_number(const io::TomlTable& table, std::string_view key) {
+  if (!table.has(key)) return false;
+  try {
+    static_cast<void>(table.unasked().number(key));
+    return true;
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
 void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
+  if (const io::TomlTable* table = visitor.source(); table != nullptr && is_number(*table, "pressure_Pa"))
+    throw table->error("pressure_Pa", "must be two numbers, the lowest and the highest pressure, such as [0, 3000]");
   std::optional<std::vector<double>> pressure_Pa;
   if (robot.pressure_Pa) pressure_Pa.emplace(robot.pressure_Pa->begin(), robot.pressure_Pa->end());
-  visitor.optional_numbers({"pressure_Pa",
-                            "Lowest and highest pressure in the chambers, above that around them. Without it, 0 and what "
-                            "loads these walls as 6 kPa loads walls of 2 mm between cells of 10 mm in Dragon Skin 10.",
-                            "[0, 6000]"},
-                           pressure_Pa, io::any_number(), {.fewest = 2, .most = 2});
+  visitor.optional_numbers(
+      {"pressure_Pa",
+       "Lowest and highest pressure in the chambers, above that around them. Without it, 0 and what "
+       "loads these walls as 6 kPa loads walls of 2 mm between cells of 10 mm in Dragon Skin 10: the first line of "
+       "menger loop has it.",
+       "[0, 6000]"},
+      pressure_Pa, io::any_number(), {.fewest = 2, .most = 2});
   robot.pressure_Pa.reset();
   if (pressure_Pa && pressure_Pa->size() == 2) robot.pressure_Pa = {pressure_Pa->front(), pressure_Pa->back()};
   visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() <= robot.pressure_Pa->back(), "pressure_Pa",
@@ -111,7 +149,8 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
         robot.walks);
     visitor.number({"duration_s", "Simulated time."}, robot.duration_s, io::positive());
     visitor.word({"fidelity",
-                  "How finely walls are cut into finite elements. The robot walks on the next finer ones, too, to show how well "
+                  "How finely walls are cut into finite elements, also where the body is inflated. The robot walks on the next "
+                  "finer ones, too, to show how well "
                   "its walk is known."},
                  robot.fidelity, io::words_of(RobotFidelity::draft, RobotFidelity::standard, RobotFidelity::fine));
   });
@@ -148,6 +187,7 @@ Robot read_robot(const fs::path& file) {
   if (robot.search && robot.drive == RobotDrive::hold)
     throw top.table("drive").error("mode", "cannot stand beside a search: nothing that holds its pressure walks");
   const io::TomlTable table = top.table("robot");
+  check_body(robot, table);
   robot.silicone_file = materials::silicone_file(table, "silicone");
   robot.record = table.reading("silicone", [&] { return materials::read_silicone(robot.silicone_file); });
   return robot;

@@ -145,7 +145,11 @@ TEST_F(LoopProgram, InitWritesARobotAndNeverOverOne) {
   EXPECT_EQ(io::read_whole(folder_ / "mine/robot.toml"), text);
   expect_has(run({"init", "finger"}).out, "wrote finger/robot.toml from finger: finger: 14 cells");
   expect_has(run({"init", "quadruped", "--from", "menger"}).out, "from menger: quadruped: 20 cells");
-  expect_has(run({"init", "unnamed"}).out, "from table: unnamed: 11 cells");
+  expect_has(run({"init", "unnamed"}).out, "from crawler: unnamed: 12 cells");
+  expect_has(run({"init", "my robot"}).out, "menger loop 'my robot/robot.toml' --until limit");
+  const Outcome found = run({"init", "found", "--from", "evolve"});
+  expect_has(found.out, "menger loop found/robot.toml                 (a quarter of an hour: the search");
+  EXPECT_EQ(found.out.find("seconds"), std::string::npos) << found.out;
   EXPECT_EQ(run({"init"}).code, 2);
   EXPECT_EQ(run({"init", "."}).code, 0);
   expect_has(io::read_whole(folder_ / "robot.toml"), "name = \"" + fs::path(folder_).filename().string() + "\"");

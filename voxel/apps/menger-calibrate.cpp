@@ -46,7 +46,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     describe(visitor, study);
   });
   app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
-  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the study file)");
+  app.add_option("-o,--output", arguments.folder,
+                 "folder of the results (default: the name of the study file; of a robot, its folder in results)");
   app.add_option("--curves", arguments.curves, "files or folders of response curves, instead of those of the study");
   app.add_option("--identifiability", arguments.identifiability_fits,
                  "test the confidence intervals, too: make this many sets of curves from the fitted parameters, with noise, fit "

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "meshes/design/fractal.h"
 #include "meshes/load_cases/load_case.h"
@@ -60,7 +61,7 @@ std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyW
   for (const double pressure : calibrated.pressure_Pa) {
     if (covered.contains(pressure)) continue;
     faults.push_back("pressure_Pa = " + io::number_text(pressure) + " is outside the range of the fit for such a body, " +
-                     io::number_text(covered.lowest_Pa) + " to " + io::number_text(covered.highest_Pa) + " Pa, limited by " +
+                     io::shown(covered.lowest_Pa) + " to " + io::shown(covered.highest_Pa) + " Pa, limited by " +
                      (pressure < 0.0 ? covered.lowest_by + " (lowest pressure)" : covered.highest_by + " (highest pressure)"));
   }
   if (calibrated.chambers != parameters.chambers) {

@@ -121,6 +121,67 @@ TEST_F(LoopRunTest, ChangedKeyRunsOnlyWhatDependsOnIt) {
   EXPECT_EQ(called(), all_of_bar);
 }
 
+TEST_F(LoopRunTest, StageThatIsAsBeforeIsComparedWithTheDriveAsItIsNow) {
+  write_program("inflate",
+                R"(printf 'status = "completed"\n[[limit_points]]\nplenum = "plenum 0"\npressure_Pa = 8000\n' > $out/result.toml
+echo step,plenum_0_volume_m3 > $out/curves.csv)");
+  ASSERT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_NE(out_.str().find("it balloons at 8 kPa; the drive of 6 kPa is 75 % of that"), std::string::npos) << out_.str();
+  add("[drive]\npressure_Pa = [0, 7000]\n");
+  ASSERT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_EQ(called(), Names{"inflate"});  // only the inflation up to the drive's pressure
+  EXPECT_NE(out_.str().find("as before: it balloons at 8 kPa; the drive of 7 kPa is 88 % of that"), std::string::npos)
+      << out_.str();
+}
+
+TEST_F(LoopRunTest, RefusedBodyIsTriedOnce) {
+  write_program("mesh", "echo 'menger-mesh: error: cells touch along an edge only' >&2");
+  write_program("report", "echo page > report.html");
+  end_with("mesh", io::exit_code::bad_input);
+  EXPECT_EQ(run(), io::exit_code::bad_input);
+  EXPECT_EQ(called(), Names{"mesh"});
+  EXPECT_NE(out_.str().find("2 of 8  inflate         left out: mesh refused the body"), std::string::npos) << out_.str();
+  end_with("mesh", io::exit_code::done);
+  EXPECT_EQ(run("locomote_finer"), io::exit_code::done);
+  EXPECT_EQ(called(), all_of_bar);
+}
+
+/// What menger inflate writes of a body that balloons at 8 kPa, if it is to bear more.
+constexpr const char* balloons_at_8_kPa = R"(
+head='status = "completed"\n'; [[ $out = inflate ]] && grep -q 'pressure_Pa = .*9000' $1 && head='status = "limit_point"\n' && code=3
+printf "$head[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 8000\n" > $out/result.toml
+echo step,plenum_0_volume_m3 > $out/curves.csv
+[[ $code ]] && exit 3)";
+
+TEST_F(LoopRunTest, WhatTheBodyDoesNotBearIsNotWalkedWith) {
+  write_program("inflate", balloons_at_8_kPa);
+  ASSERT_EQ(run(), io::exit_code::done) << out_.str();
+  EXPECT_EQ(called(), all_of_bar);
+  add("[drive]\npressure_Pa = [0, 9000]\n");
+  EXPECT_EQ(run(), io::exit_code::numerical);
+  EXPECT_EQ(called(), Names{"inflate"});
+  EXPECT_NE(out_.str().find("locomote        left out: it balloons at 8 kPa, before the 9 kPa of drive.pressure_Pa"),
+            std::string::npos)
+      << out_.str();
+  EXPECT_NE(out_.str().find("lower drive.pressure_Pa below 8 kPa"), std::string::npos) << out_.str();
+  // No report may take the walk of the former drive for one of this drive.
+  EXPECT_FALSE(fs::exists(folder_ / "results/locomote/manifest.json"));
+  EXPECT_EQ(run("", "locomote"), io::exit_code::done);  // who asks for it gets it
+  EXPECT_EQ(called(), Names{"locomote"});
+}
+
+TEST_F(LoopRunTest, StageThatWasStoppedOrFailedLeavesNothingThatAReportShows) {
+  for (const int code : {io::exit_code::interrupted, io::exit_code::bad_input, 1}) {
+    end_with("simulate", code);  // its manifest is written all the same
+    EXPECT_EQ(run("simulate"), code);
+    EXPECT_FALSE(fs::exists(folder_ / "results/simulate/manifest.json")) << code;
+    EXPECT_TRUE(fs::exists(folder_ / "results/inflate/manifest.json"));
+  }
+  end_with("simulate", io::exit_code::numerical);  // that is a result
+  EXPECT_EQ(run("simulate"), io::exit_code::numerical);
+  EXPECT_TRUE(fs::exists(folder_ / "results/simulate/manifest.json"));
+}
+
 TEST_F(LoopRunTest, BodyOfTheFitIsNotValidated) {
   change("\"1111\"", "\"111\"");
   EXPECT_EQ(run(), io::exit_code::done);
@@ -223,6 +284,47 @@ TEST_F(LoopRunTest, StageThatWasStoppedBeforeItReadItsStudyGoesOnWithoutTheOldCh
   EXPECT_EQ(run("locomote"), io::exit_code::done) << out_.str();
 }
 
+/// A text that tells a waiting program in a file that it has a part.
+class WatchedText : public std::stringbuf {
+ public:
+  WatchedText(std::string part, fs::path seen) : part_(std::move(part)), seen_(std::move(seen)) {}
+
+ private:
+  int sync() override {
+    if (str().find(part_) != std::string::npos) io::write_whole(seen_, "");
+    return 0;
+  }
+
+  std::string part_;
+  fs::path seen_;
+};
+
+TEST_F(LoopRunTest, WithoutATerminalLinesTellHowFarAStageIsAndItsLog) {
+  const fs::path seen = folder_ / "seen";
+  write_program("validate", "printf '0.5 24 of 48 cases\\n' > $MENGER_PROGRESS_FILE; for ((n = 0; n < 600; n++)); do [ -e '" +
+                                seen.string() + "' ] && break; sleep 0.1; done");
+  WatchedText text("(24 of 48 cases)", seen);
+  std::ostream out(&text);
+  const LoopRequest request{
+      .robot = folder_ / "robot.toml", .only = "validate", .programs = folder_ / "bin", .stop = &stop_, .tell_every_s = 0.0};
+  EXPECT_EQ(run_loop(request, out), io::exit_code::done);
+  EXPECT_TRUE(fs::exists(seen)) << text.str();
+  EXPECT_NE(text.str().find(" left (24 of 48 cases); see "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("logs/validate.txt\n"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("\n4 of 7  validate        "), std::string::npos) << text.str();
+}
+
+TEST_F(LoopRunTest, WrittenStudiesAreListedWithTheCommandsThatReadThem) {
+  write_program("report", "");
+  const LoopRequest request{.robot = folder_ / "robot.toml", .only_studies = true, .programs = folder_ / "bin"};
+  EXPECT_EQ(run_loop(request, out_), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+  for (const char* part :
+       {"studies/inflate.toml\n", "studies/calibrate.toml  (menger comes with these parameters; fitted with --fit)\n",
+        "studies/validate_load_cases.toml\n", "  menger inflate studies/limit.toml -o limit\n", "  menger report .\n"})
+    EXPECT_NE(out_.str().find(part), std::string::npos) << part << " in " << out_.str();
+}
+
 TEST_F(LoopRunTest, VerdictLeavesOutResultsOfAnEarlierRobot) {
   const std::string walk =
       R"(printf 'status = "completed"\ntime_s = 5.0\ndisplacement_m = [0.04, 0, 0]\nhorizontal_displacement_body_lengths = 1.0\n' > )";
@@ -259,7 +361,8 @@ TEST_F(LoopRunTest, UntilEndsThereAndOnlyRunsOneStage) {
   EXPECT_EQ(run("", "locomote"), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"locomote"}));
   EXPECT_NE(tests::message_of([&] { run("inflat"); }).find("did you mean inflate?"), std::string::npos);
-  EXPECT_NE(tests::message_of([&] { run("calibrate"); }).find("this robot has no such stage"), std::string::npos);
+  EXPECT_NE(tests::message_of([&] { run("calibrate"); }).find("this robot has no such stage. Its stages: mesh, "),
+            std::string::npos);
   change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
   EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
 }
@@ -367,6 +470,7 @@ TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
   EXPECT_NE(out_.str().find("bar: 11 cells of 10 mm with walls of 2 mm, Dragon Skin 10, one chamber, 0 to 6 kPa at 3 Hz"),
             std::string::npos)
       << out_.str();
+  EXPECT_NE(out_.str().find("\nlaw: initial shear modulus "), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("(dragon_skin_10_1cm.toml)"), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("expected error for a plate on legs: "), std::string::npos) << out_.str();
 }
@@ -379,6 +483,12 @@ TEST_F(LoopRunTest, WrongInputWritesNothing) {
   change("colour = 3\n", "");
   EXPECT_NE(tests::message_of([&] { run(); }).find("menger-validate: there is no such program"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "results"));
+}
+
+TEST_F(LoopRunTest, TakesTheFolderOfARobotForTheRobot) {
+  const LoopRequest request{.robot = fs::path(folder_), .until = "mesh", .programs = folder_ / "bin", .stop = &stop_};
+  EXPECT_EQ(run_loop(request, out_), io::exit_code::done);
+  EXPECT_TRUE(fs::exists(folder_ / "results/mesh"));
 }
 
 TEST_F(LoopRunTest, RefusesAStateThatItCannotRead) {

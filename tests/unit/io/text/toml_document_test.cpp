@@ -112,6 +112,18 @@ TEST(TomlTable, NamesAMissingKey) {
             std::string::npos);
 }
 
+TEST(TomlTable, NamesTheUnitWhereANumberIsWrittenWithOne) {
+  const auto reason = [](const std::string& key, const std::string& value) {
+    const std::string text = refusal(
+        key + " = " + value, [&](const TomlTable& t) { return value.starts_with("[") ? t.numbers(key).front() : t.number(key); });
+    return text.substr(text.rfind(": ") + 2);
+  };
+  EXPECT_EQ(reason("cell_edge_m", "\"12mm\""), "must be a number (metres)");
+  EXPECT_EQ(reason("pressure_Pa", "[0, \"3 kPa\"]"), "must be a number (pascals)");
+  EXPECT_EQ(reason("stiffness_Pa_per_m", "\"1\""), "must be a number");
+  EXPECT_EQ(reason("factor", "\"1\""), "must be a number");
+}
+
 TEST(TomlTable, RefusesAWrongType) {
   const auto wrong = [](std::string_view value, const auto& read) {
     const std::string text = refusal("a = " + std::string(value), read);

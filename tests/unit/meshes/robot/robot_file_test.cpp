@@ -48,6 +48,19 @@ TEST(RobotFile, PressureOfTheDriveScalesWithSiliconeAndWalls) {
   EXPECT_EQ(drive_pressure_Pa(read_text(folder, std::string(table) + "[drive]\npressure_Pa = [-100, 2000]\n"))[0], -100.0);
 }
 
+TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
+  const tests::TestFolder folder;
+  EXPECT_EQ(law_summary_of(read_text(folder, table)),
+            "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
+            "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
+            "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it");
+  Robot robot = read_text(folder, table);
+  robot.record.others.resize(1);
+  EXPECT_NE(law_summary_of(robot).find("; the other law of the record has 0.37 times as much (ogden1"), std::string::npos);
+  robot.record.others.clear();
+  EXPECT_NE(law_summary_of(robot).find("; the record has no other law"), std::string::npos);
+}
+
 TEST(RobotFile, IsToldFromOtherStudiesByItsTable) {
   const tests::TestFolder folder;
   io::write_whole(folder / "robot.toml", table);
@@ -80,6 +93,16 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "[drive]\npressure_Pa = [3000, 1000]\n", "the lowest comes first");
   expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "the highest must be > 0");
   expect(whole + "[drive]\npressure_Pa = [1]\n", "pressure_Pa");
+  expect(whole + "[drive]\npressure_Pa = 3000\n", "pressure_Pa = 3000: must be two numbers");
+  const auto expect_body = [&](const std::string& body, const std::string& part) {
+    expect("[robot]\nsilicone = \"dragon_skin_10\"\n" + body, part);
+  };
+  expect_body("layers = [[\"1\"]]\ncell_edge_m = 12\n", "cell_edge_m = 12: is more than 0.5 m: lengths are in metres");
+  expect_body("layers = [[\"1\"]]\ncell_edge_m = \"12mm\"\n", "cell_edge_m = \"12mm\": must be a number (metres)");
+  expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [...]: the body is in 2 parts");
+  expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "robot.digits = \"1001\": the body is in 2 parts");
+  expect_body("layers = [[\"10\", \"01\"], [\"11\", \"01\"]]\ncell_edge_m = 0.01\n",
+              "cells (0, 0, 0) and (1, 1, 0) touch only along an edge");
   expect(whole + "[ground]\nstatic_friction = 0.4\n", "kinetic_friction");
   expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
   expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");

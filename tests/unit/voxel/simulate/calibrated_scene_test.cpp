@@ -195,6 +195,14 @@ TEST_F(CalibratedScene, RefusesWhatLeavesTheRangeOfValidityUnlessToldToWarn) {
   EXPECT_NE(io::read_whole(folder_ / "out" / "result.toml").find("pressure_Pa = 2500"), std::string::npos);
 }
 
+TEST_F(CalibratedScene, TellsTheRangeOfPressuresInFewDigits) {
+  SurrogateParameters parameters = tests::surrogate_example();
+  parameters.validity.highest_pressure_Pa.fill(1277.441139158422);
+  write(parameters);
+  expect_refused(bar + use + "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 2500]\n",
+                 "-2000 to 1277 Pa, limited by wall class ");
+}
+
 TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
   SurrogateParameters parameters = tests::surrogate_example();
   // Less than the bar is strained by while it rubs on the ground.
