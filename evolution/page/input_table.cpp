@@ -157,7 +157,7 @@ LawSource source_in(const fs::path& file, const json& law) {
     most = std::max(most.value_or(ratio), ratio);
   }
   const std::size_t count = laws.size() - 1;
-  found.others = std::to_string(count) + (count == 1 ? " more, with " : " more, with ") + io::shown(*least, 2) +
+  found.others = std::to_string(count) + " more, with " + io::shown(*least, 2) +
                  (count == 1 ? "" : " to " + io::shown(*most, 2)) + " times its shear modulus at rest";
   return found;
 }

@@ -222,11 +222,12 @@ std::string linked_html(std::string_view source, const std::string& folder) {
 std::string finding_html(const Finding& finding, const std::string& folder) {
   std::string text = "<li><span class=\"badge " + std::string(to_string(finding.tone)) + "\">" + badge_of(finding.tone) +
                      "</span><div><p>" + html_text(finding.text) + "</p>";
-  if (!finding.source.empty())
+  if (!finding.source.empty()) {
     text += "<p class=\"source\">" +
             (finding.tone == Tone::missing ? "computed by " + html_text(finding.source)
                                            : "from " + linked_html(finding.source, folder)) +
             "</p>";
+  }
   return text + "</div></li>\n";
 }
 
@@ -342,11 +343,12 @@ std::string page_text(const ReportPage& page, const std::optional<std::string>& 
   json sections = json::array();
   for (const PageSection& section : page.sections) sections.push_back(json_of(section));
   json pictures = json::array();
-  for (const PagePicture& picture : page.pictures)
+  for (const PagePicture& picture : page.pictures) {
     pictures.push_back({{"caption", picture.caption},
                         {"file", picture.file},
                         {"link", address_in(page.folder, picture.file)},
                         {"blob", blobs.add(picture.png)}});
+  }
   const json data{{"scenes", scenes}, {"sections", sections}, {"pictures", pictures}, {"notes", page.notes}};
   std::string script;
   for (const char* name : {"chart.js", "scene.js", "page.js"}) script.append(page_source(name));

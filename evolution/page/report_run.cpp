@@ -67,6 +67,8 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
     caption = std::string("The body, cut open, at the end of its inflation") +
               (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
               ". Thin lines: the body at rest.";
+  } else if (name == "robot.png" && command_of(output) == "simulate") {
+    caption = "The body of voxels at the end of its walk, with the path of its centre.";
   } else if (name == "robot.png") {
     caption = "The body at the end of its walk. Thin lines: the body at the start. Red line: the path of its centre.";
   } else if (name == "champion.png") {

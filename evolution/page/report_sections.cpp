@@ -301,7 +301,7 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file)
       return shown_number(fraction ? std::optional(100.0 * *fraction) : std::nullopt);
     };
     std::string worst = text_in(summary, row, "worst_case");
-    if (body == "all") worst = text_in(summary, row, "worst_body") + ", " + worst;
+    if (body == "all") worst.insert(0, text_in(summary, row, "worst_body") + ", ");
     table.rows.push_back({body, text_in(summary, row, "kind"), text_in(summary, row, "range"), text_in(summary, row, "count"),
                           text_in(summary, row, "without_equilibrium"), percent("median"), percent("percentile_90"),
                           percent("worst"), worst});

@@ -695,8 +695,7 @@ std::vector<std::string> judging_words() {
       "A pressure is safe up to " + io::percents(meshes::largest_safe_share) +
           " of the limit pressure; above, small faults of a cast wall decide.",
       "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
-          " body lengths is no walk: finite elements know no walk better than that. Two walks, of both models or of two meshes, "
-          "agree if neither is more than " +
+          " body lengths is none. Two walks, of both models or of two meshes, agree if neither is more than " +
           io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +
           io::shown(meshes::walk_limits::same_direction_deg) + " degrees. They have nothing in common if one is more than " +
           io::shown(meshes::walk_limits::comparable_speed) + " times as fast.",
