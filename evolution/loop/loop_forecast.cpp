@@ -32,11 +32,24 @@ std::string source_text(const meshes::Robot& robot, const fs::path& parameters) 
   return "";
 }
 
+/// Cells with less air than this between their walls, over their thickness, need pressures that no one means.
+constexpr double least_span_of_walls = 0.5;
+
+std::string thick_wall_note(const meshes::Robot& robot) {
+  if (robot.span_m() >= least_span_of_walls * robot.wall_thickness_m) return "";
+  std::string text = "note: walls of " + io::millimetres(robot.wall_thickness_m) + " leave " + io::millimetres(robot.span_m()) +
+                     " of air between them, which is hardly a chamber";
+  if (!robot.pressure_Pa)
+    text += "; the default pressure of " + io::kilopascals(drive_pressure_Pa(robot)[1]) + " follows from that";
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
   const fs::path file = parameters_of(robot, places);
   std::vector<std::string> lines{law_summary_of(robot), source_text(robot, file)};
+  if (const std::string note = thick_wall_note(robot); !note.empty()) lines.push_back(note);
   if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
       static_cast<void>(voxel::read_surrogate(file));  // says what is wrong

@@ -245,7 +245,7 @@ class LoopRun {
   /// Returns why a stage cannot run, or says nothing of this robot; empty if it runs.
   [[nodiscard]] std::string left_out_because(const LoopStage& stage) {
     if (const std::string lacking = lacks(stage); !lacking.empty()) {
-      const std::string reason = "needs a result of " + lacking;
+      std::string reason = "needs a result of " + lacking;
       if (only_ != nullptr)
         throw io::InputError("--only " + stage.name + ": " + reason + ": first menger loop --until " + lacking);
       return reason;
@@ -502,8 +502,7 @@ class LoopRun {
 
 }  // namespace
 
-int run_loop(const LoopRequest& given, std::ostream& out) {
-  LoopRequest request = given;
+int run_loop(LoopRequest request, std::ostream& out) {
   std::error_code ignored;
   if (fs::is_directory(request.robot, ignored)) request.robot /= "robot.toml";
   meshes::Robot robot = meshes::read_robot(request.robot);

@@ -32,6 +32,6 @@ struct LoopRequest {
 /// @param out where the lines go
 /// @return exit code: done, numerical, interrupted, or bad_input if a program refused what it was given
 /// @throws io::InputError for a wrong robot or request, before anything is written
-int run_loop(const LoopRequest& request, std::ostream& out);
+int run_loop(LoopRequest request, std::ostream& out);
 
 }  // namespace menger::evolution

@@ -475,6 +475,17 @@ TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
   EXPECT_NE(out_.str().find("expected error for a plate on legs: "), std::string::npos) << out_.str();
 }
 
+TEST_F(LoopRunTest, FirstLinesWarnOfWallsThatLeaveHardlyAChamber) {
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  EXPECT_EQ(out_.str().find("hardly a chamber"), std::string::npos) << out_.str();
+  change("cell_edge_m = 0.01", "cell_edge_m = 0.01\nwall_thickness_m = 0.0049");
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  EXPECT_NE(
+      out_.str().find("note: walls of 4.9 mm leave 0.2 mm of air between them, which is hardly a chamber; the default pressure"),
+      std::string::npos)
+      << out_.str();
+}
+
 TEST_F(LoopRunTest, WrongInputWritesNothing) {
   add("colour = 3\n");
   EXPECT_NE(tests::message_of([&] { run(); }).find("colour"), std::string::npos);
