@@ -701,8 +701,7 @@ std::vector<std::string> judging_words() {
           io::shown(meshes::walk_limits::comparable_speed) + " times as fast.",
       "A ranking can be relied on from a rank correlation of " + io::shown(judged_by::good_rank) + ", and not below " +
           io::shown(judged_by::usable_rank) + " or where its 95 % interval reaches 0.",
-      "These limits are choices of this page. Finite elements are not measurements: damping and friction of silicone are "
-      "assumed.",
+      "These limits are choices of this page. Finite elements are no measurements: damping and friction are assumed.",
   };
 }
 
