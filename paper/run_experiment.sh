@@ -12,7 +12,7 @@
 #   $results              the folder of its results, build/paper/NAME, which is not; programs go on from what they find there
 #   table, gather         paper/tables.py take and gather, which make small tables of results
 #   search STUDY          runs a search and makes the table STUDY.csv of its generations
-#   seeded STUDY SEED     the same with a seed, and the table STUDY/SEED.csv
+#   search STUDY SEED     the same with another seed, and the table STUDY/SEED.csv
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -59,20 +59,13 @@ menger() {
   fi
 }
 
-# Runs the search of a study, and keeps the table of its generations.
+# Runs the search of a study, one of several if a seed is given, and keeps the table of its generations.
 search() {
-  menger evolve "$study/$1.toml" --output "$results/$1.sqlite"
-  menger export "$results/$1.sqlite" --output "$results/$1" --levels 1 --no-frames --no-pictures
-  table "$results/$1/generations.csv" "$study/$1.csv"
-}
-
-# Runs one of several searches of a study, and keeps the table of its generations.
-seeded() {
-  local archive=$results/$1_$2.sqlite
-  menger evolve "$study/$1.toml" --seed "$2" --output "$archive"
-  menger export "$archive" --output "$results/$1_$2" --levels 1 --no-frames --no-pictures
-  mkdir -p "$study/$1"
-  table "$results/$1_$2/generations.csv" "$study/$1/$2.csv"
+  local out=$results/$1${2:+_$2} kept=$study/$1${2:+/$2}.csv
+  menger evolve "$study/$1.toml" ${2:+--seed "$2"} --output "$out.sqlite"
+  menger export "$out.sqlite" --output "$out" --levels 1 --no-frames --no-pictures
+  mkdir -p "$(dirname "$kept")"
+  table "$out/generations.csv" "$kept"
 }
 
 table() { paper/tables.py take "$@"; }

@@ -4,6 +4,7 @@ Bootstraps have a fixed seed, so that the same sample gives the same interval.
 """
 
 import sys
+import warnings
 from dataclasses import dataclass
 
 try:
@@ -52,10 +53,9 @@ def spearman(x, y):
 
 def rank_correlation(x, y):
     """Spearman's coefficient; equal values share the mean of their ranks. Not a number if all of one side are equal."""
-    x, y = stats.rankdata(x), stats.rankdata(y)
-    x, y = x - x.mean(), y - y.mean()
-    scale = np.sqrt((x @ x) * (y @ y))
-    return x @ y / scale if scale > 0.0 else np.nan
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", stats.ConstantInputWarning)
+        return stats.spearmanr(x, y).correlation
 
 
 def share(count, of):

@@ -3,11 +3,22 @@
 import csv
 import io
 import os
+import pathlib
+import sys
 import tomllib
 
 
 class InputError(Exception):
-    """Wrong input: the message names the file. Scripts print it and end with 2."""
+    """Wrong input: the message names the file."""
+
+
+def run_script(main):
+    """Calls main(arguments) with those of the command line, and ends the script: 0 done, 2 wrong input, with a message."""
+    try:
+        main(sys.argv[1:])
+    except InputError as error:
+        print(f"{pathlib.Path(sys.argv[0]).name}: error: {error}", file=sys.stderr)
+        sys.exit(2)
 
 
 def read_table(file):

@@ -457,21 +457,27 @@ class LoopRun {
     io::write_manifest(places_.results, manifest);
   }
 
-  /// Leaves what came out for the report, which says it in the same words.
-  void note_verdict() const {
-    LoopVerdict verdict{.lines = loop_verdict(places_.results, robot_, current_)};
+  /// What came out. It is found once, so that the report and the terminal say it in the same words.
+  const std::vector<std::string>& verdict() {
+    if (!verdict_) verdict_ = loop_verdict(places_.results, robot_, current_);
+    return *verdict_;
+  }
+
+  /// Leaves what came out for the report.
+  void note_verdict() {
+    LoopVerdict noted{.lines = verdict()};
     for (const LoopStage& stage : stages_) {
       if (!current_.contains(stage.name)) continue;
-      if (const std::string hash = manifest_hash(stage); !hash.empty()) verdict.results[stage.manifest] = hash;
+      if (const std::string hash = manifest_hash(stage); !hash.empty()) noted.results[stage.manifest] = hash;
     }
-    write_loop_verdict(places_.results, verdict);
+    write_loop_verdict(places_.results, noted);
   }
 
   void tell_end(int code) {
-    const std::vector<std::string> verdict = loop_verdict(places_.results, robot_, current_);
-    if (!verdict.empty() && only_ == nullptr && last_ == nullptr) {
+    const bool is_whole = only_ == nullptr && last_ == nullptr;
+    if (is_whole && !verdict().empty()) {
       out_ << "\nWhat came out:\n";
-      for (const std::string& line : verdict) out_ << "- " << line << '\n';
+      for (const std::string& line : verdict()) out_ << "- " << line << '\n';
     }
     std::vector<std::string> files;
     for (const char* file : {"report.html", "inflate/chamber.png", "limit/pv_curve.png", "validate/worst.png",
@@ -479,7 +485,7 @@ class LoopRun {
       const std::string name = fs::path(file).begin()->stem().string();
       if (current_.contains(name) && io::is_file(places_.results / file)) files.push_back(shown(places_.results / file));
     }
-    if (!files.empty() && only_ == nullptr && last_ == nullptr) out_ << "Look at " << io::joined(files) << ".\n";
+    if (!files.empty() && is_whole) out_ << "Look at " << io::joined(files) << ".\n";
     if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";
     out_ << std::flush;
   }
@@ -497,7 +503,8 @@ class LoopRun {
   std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
   bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
   double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
-  bool is_body_refused_ = false;               ///< by menger mesh, in this call
+  std::optional<std::vector<std::string>> verdict_;  ///< once all stages before the report have ended
+  bool is_body_refused_ = false;                     ///< by menger mesh, in this call
 };
 
 }  // namespace

@@ -148,17 +148,13 @@ LawSource source_in(const fs::path& file, const json& law) {
   const auto number = static_cast<std::size_t>(used - tables.begin());
   if (laws.size() < 2 || laws.size() != tables.size()) return found;
   const double own_Pa = materials::shear_modulus_at_rest_Pa(laws[number].law);
-  std::optional<double> least;
-  std::optional<double> most;
-  for (std::size_t n = 0; n < laws.size(); ++n) {
-    if (n == number) continue;
-    const double ratio = materials::shear_modulus_at_rest_Pa(laws[n].law) / own_Pa;
-    least = std::min(least.value_or(ratio), ratio);
-    most = std::max(most.value_or(ratio), ratio);
-  }
-  const std::size_t count = laws.size() - 1;
-  found.others = std::to_string(count) + " more, with " + io::shown(*least, 2) +
-                 (count == 1 ? "" : " to " + io::shown(*most, 2)) + " times its shear modulus at rest";
+  const auto times = [&](const materials::SourcedLaw& one) {
+    return io::shown(materials::shear_modulus_at_rest_Pa(one.law) / own_Pa, 2);
+  };
+  laws.erase(laws.begin() + static_cast<std::ptrdiff_t>(number));
+  const auto [softest, stiffest] = materials::softest_and_stiffest(laws);
+  found.others = std::to_string(laws.size()) + " more, with " + times(softest) +
+                 (laws.size() == 1 ? "" : " to " + times(stiffest)) + " times its shear modulus at rest";
   return found;
 }
 

@@ -272,16 +272,19 @@ void add_calibration(const CommandOutput& output, PageSection& section) {
   if (const auto fit = io::read_toml(output.folder / "result.toml").optional_table("fit")) add_notes_of(*fit, section.words);
 }
 
+/// Returns a fraction of a table in per cent, for people.
+std::string percent_in(const io::CsvContents& table, std::size_t row, const std::string& column) {
+  const auto fraction = number_in(table, row, column);
+  return shown_number(fraction ? std::optional(100.0 * *fraction) : std::nullopt);
+}
+
 /// Shows a column of fractions in per cent.
 void show_percent(const io::CsvContents& table, const std::string& column, PageTable& shown) {
   const auto title = std::ranges::find(shown.columns, io::shown_column(column).title());
   if (title == shown.columns.end()) return;
   const auto place = static_cast<std::size_t>(title - shown.columns.begin());
   *title += " (%)";
-  for (std::size_t row = 0; row < shown.rows.size(); ++row) {
-    const auto fraction = number_in(table, row, column);
-    shown.rows[row][place] = shown_number(fraction ? std::optional(100.0 * *fraction) : std::nullopt);
-  }
+  for (std::size_t row = 0; row < shown.rows.size(); ++row) shown.rows[row][place] = percent_in(table, row, column);
 }
 
 /// The errors of a validation in per cent. Of one body alone, the sums over all bodies repeat its own numbers, and are left out.
@@ -296,15 +299,11 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file)
   for (std::size_t row = 0; row < summary.row_count(); ++row) {
     const std::string body = text_in(summary, row, "body");
     if (is_one && body == "all") continue;
-    const auto percent = [&](const char* column) {
-      const auto fraction = number_in(summary, row, column);
-      return shown_number(fraction ? std::optional(100.0 * *fraction) : std::nullopt);
-    };
     std::string worst = text_in(summary, row, "worst_case");
     if (body == "all") worst.insert(0, text_in(summary, row, "worst_body") + ", ");
     table.rows.push_back({body, text_in(summary, row, "kind"), text_in(summary, row, "range"), text_in(summary, row, "count"),
-                          text_in(summary, row, "without_equilibrium"), percent("median"), percent("percentile_90"),
-                          percent("worst"), worst});
+                          text_in(summary, row, "without_equilibrium"), percent_in(summary, row, "median"),
+                          percent_in(summary, row, "percentile_90"), percent_in(summary, row, "worst"), worst});
   }
   return table;
 }

@@ -1,6 +1,7 @@
 #include "materials/laws/silicone_record.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "io/text/toml_document.h"
 #include "materials/laws/law_file.h"
@@ -44,6 +45,13 @@ LossData read_loss(const io::TomlTable& table) {
 }
 
 }  // namespace
+
+std::pair<SourcedLaw, SourcedLaw> softest_and_stiffest(std::span<const SourcedLaw> laws) {
+  assert(!laws.empty());
+  const auto [softest, stiffest] =
+      std::ranges::minmax_element(laws, {}, [](const SourcedLaw& one) { return shear_modulus_at_rest_Pa(one.law); });
+  return {*softest, *stiffest};
+}
 
 SiliconeRecord read_silicone(const std::filesystem::path& file) {
   const io::TomlTable table = io::read_toml(file);

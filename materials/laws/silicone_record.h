@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/laws/hyperelastic_law.h"
@@ -26,6 +28,9 @@ struct SourcedLaw {
   double largest_stretch = 1.0;
   std::string source;
 };
+
+/// Returns the laws of the least and of the largest shear modulus at rest. Precondition: there is one at least.
+std::pair<SourcedLaw, SourcedLaw> softest_and_stiffest(std::span<const SourcedLaw> laws);
 
 /// The damping of the cured silicone in vibration, from a dynamic test at small strain.
 struct LossData {

@@ -95,11 +95,10 @@ std::string law_summary_of(const Robot& robot) {
     return io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa) + " times as much (" +
            named_law(law) + ")";
   };
-  const auto [softest, stiffest] = std::ranges::minmax_element(
-      record.others, {}, [](const materials::SourcedLaw& law) { return materials::shear_modulus_at_rest_Pa(law.law); });
-  text += record.others.size() == 1 ? "; the other law of the record has " : "; the other laws of the record have ";
-  text += times(*softest);
-  if (stiffest != softest) text += " to " + times(*stiffest);
+  const auto [softest, stiffest] = materials::softest_and_stiffest(record.others);
+  const bool is_one = record.others.size() == 1;
+  text += (is_one ? "; the other law of the record has " : "; the other laws of the record have ") + times(softest);
+  if (!is_one) text += " to " + times(stiffest);
   return text + ". The pressure that a body bears goes nearly with it";
 }
 

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """What the paper's text and its released code do differently, on one set of robots: their studies, and what follows from their walks.
 
-discrepancies.py names                          prints the variants that need walks of their own
 discrepancies.py study VARIANT OUT.toml         writes the study of a variant
 discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what menger export wrote
 discrepancies.py summary                        makes statistics.csv, conclusions.csv and discrepancies.svg of the variants that there are
@@ -19,7 +18,8 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import bootstrap, rank_correlation, share, spearman  # noqa: E402
-from small_tables import InputError, cell, read_table, read_toml, write_table, write_whole  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
+from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 ROBOTS = 500
 LEVELS = (1, 2)
@@ -170,12 +170,7 @@ def summary():
 
 def draw(rows):
     """Points with intervals: how well ranks agree with the text's, and how often another robot is the best of ten."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    from matplotlib import pyplot
-
-    matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
+    pyplot = pyplot_for_svg()
     rows = sorted(rows, key=lambda row: row["fitness_spearman"])
     figure, axes = pyplot.subplots(1, 2, figsize=(9, 1.0 + 0.4 * len(rows)), sharey=True, layout="constrained")
     places = range(len(rows))
@@ -189,13 +184,11 @@ def draw(rows):
         panel.set_ylim(-0.6, len(rows) - 0.4)
         panel.grid(axis="x", color="#dddddd")
     axes[0].set_yticks(places, [row["label"] for row in rows])
-    figure.savefig(HERE / "discrepancies.svg", metadata={"Date": None})
+    write_svg(figure, HERE / "discrepancies.svg")
 
 
 def main(arguments):
     match arguments:
-        case ["names"]:
-            print("\n".join(name for name, one in variants().items() if "walks_of" not in one))
         case ["study", name, out]:
             write_whole(pathlib.Path(out), study_text(name))
         case ["take", source, name]:
@@ -207,8 +200,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except InputError as error:
-        print(f"discrepancies.py: error: {error}", file=sys.stderr)
-        sys.exit(2)
+    run_script(main)

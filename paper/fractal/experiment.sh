@@ -18,8 +18,8 @@ three_scales() {
 }
 
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  eval "two_scales_$seed() { seeded two_scales $seed; }"
-  eval "in_pieces_$seed() { seeded two_scales_in_pieces $seed; }"
+  eval "two_scales_$seed() { search two_scales $seed; }"
+  eval "in_pieces_$seed() { search two_scales_in_pieces $seed; }"
 done
 
 statistics() { "$study/trials.py"; }

@@ -15,7 +15,8 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import mean, rank_sum, share  # noqa: E402
-from small_tables import InputError, cell, read_table, write_table  # noqa: E402
+from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
+from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 ARMS = {"fractal": (HERE / "two_scales", "fractal", "#0072B2", "-"),
         "in_pieces": (HERE / "two_scales_in_pieces", "fractal, aggregates may fall apart", "#56B4E9", "--"),
@@ -85,12 +86,7 @@ def comparisons(arms):
 
 def draw(arms):
     """Best robots over generations with intervals, those of the ends, and the dimension of fractal champions."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    from matplotlib import pyplot
-
-    matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
+    pyplot = pyplot_for_svg()
     figure, axes = pyplot.subplots(1, 3, figsize=(13, 4.0), layout="constrained", width_ratios=(1.2, 0.9, 1.2))
     for arm, trials in arms.items():
         _, label, colour, dashes = ARMS[arm]
@@ -116,10 +112,12 @@ def draw(arms):
     for panel in axes:
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
-    figure.savefig(HERE / "trials.svg", metadata={"Date": None})
+    write_svg(figure, HERE / "trials.svg")
 
 
-def main():
+def main(arguments):
+    if arguments:
+        raise InputError(__doc__)
     arms = {arm: trials for arm, (folder, *_) in ARMS.items() if (trials := trials_of(folder))}
     if not arms:
         raise InputError(f"{ARMS['fractal'][0]}: has no trial yet: ./run paper fractal two_scales_1")
@@ -130,8 +128,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except InputError as error:
-        print(f"trials.py: error: {error}", file=sys.stderr)
-        sys.exit(2)
+    run_script(main)

@@ -7,7 +7,7 @@ part_on_request small "10 s" "three generations of small bodies"
 
 for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
   # Another seed than that of a fractal: with the same one, both would begin with the same basal bodies.
-  eval "two_scales_$seed() { seeded two_scales $((1000 + seed)); }"
+  eval "two_scales_$seed() { search two_scales $((1000 + seed)); }"
 done
 three_scales() { search study; }
 small() { search small; }

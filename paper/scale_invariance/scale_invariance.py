@@ -18,7 +18,8 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import median, share  # noqa: E402
-from small_tables import InputError, cell, read_table, read_toml, write_table  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
+from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 LEVELS = (1, 2, 3)
 CELL_EDGE_M = 0.01
@@ -171,12 +172,7 @@ def summary():
 
 def draw(every, rows, dimensions):
     """Angle and factor of every robot, and the shares by group and by dimension."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    from matplotlib import pyplot
-
-    matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
+    pyplot = pyplot_for_svg()
     styles = {"random": ("#999999", ".", 12), "one_scale": ("#E69F00", "s", 26), "two_scales": ("#0072B2", "o", 30), "three_scales": ("#D55E00", "D", 30)}
     figure, axes = pyplot.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
     for group, members in every.items():
@@ -211,7 +207,7 @@ def draw(every, rows, dimensions):
     for panel in axes:
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
-    figure.savefig(HERE / "scale_invariance.svg", metadata={"Date": None})
+    write_svg(figure, HERE / "scale_invariance.svg")
 
 
 def main(arguments):
@@ -227,8 +223,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except InputError as error:
-        print(f"scale_invariance.py: error: {error}", file=sys.stderr)
-        sys.exit(2)
+    run_script(main)

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -91,6 +93,24 @@ TEST(SiliconeRecord, DatabaseFitsAreSofterThanTheRecommendedLaw) {
     }
     EXPECT_GE(fits, 1) << file;
   }
+}
+
+TEST(SiliconeRecord, SoftestAndStiffestLawBoundAllOthers) {
+  const std::vector<SourcedLaw> laws = read_silicone(ready("ecoflex_00_30")).others;
+  ASSERT_GT(laws.size(), 2U);
+  const auto [softest, stiffest] = softest_and_stiffest(laws);
+  double least_Pa = shear_modulus_at_rest_Pa(laws.front().law);
+  double most_Pa = least_Pa;
+  for (const SourcedLaw& one : laws) {
+    least_Pa = std::min(least_Pa, shear_modulus_at_rest_Pa(one.law));
+    most_Pa = std::max(most_Pa, shear_modulus_at_rest_Pa(one.law));
+  }
+  EXPECT_EQ(shear_modulus_at_rest_Pa(softest.law), least_Pa);
+  EXPECT_EQ(shear_modulus_at_rest_Pa(stiffest.law), most_Pa);
+  EXPECT_LT(least_Pa, most_Pa);
+  const auto [only, same] = softest_and_stiffest(std::span(laws).first(1));
+  EXPECT_EQ(only.source, laws.front().source);
+  EXPECT_EQ(same.source, laws.front().source);
 }
 
 TEST(SiliconeRecord, OgdenFitHasTheShearModulusOfItsSource) {

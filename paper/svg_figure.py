@@ -1,0 +1,23 @@
+"""Figures of experiments: SVG files that are the same for the same numbers, so that git shows only what changed."""
+
+import io
+
+from small_tables import write_whole
+
+
+def pyplot_for_svg():
+    """Matplotlib's pyplot without a screen. It takes a second to load, so scripts ask for it only where they draw."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    from matplotlib import pyplot
+
+    matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
+    return pyplot
+
+
+def write_svg(figure, file):
+    """Writes a figure, whole or not at all, without the date."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg", metadata={"Date": None})
+    write_whole(file, text.getvalue())
