@@ -213,11 +213,10 @@ class LoopRun {
   }
 
   [[nodiscard]] std::string manifest_hash(const LoopStage& stage) const {
-    const fs::path file = places_.results / stage.manifest;
-    return stage.manifest.empty() || !io::is_file(file) ? "" : io::file_hash(file);
+    return stage.manifest.empty() ? "" : io::hash_of_results(places_.results / stage.manifest);
   }
 
-  /// Whether a stage has ended before with the same key, and its files are still there.
+  /// Whether a stage has ended before with the same key, and its files are still there, or those of the same command by hand.
   [[nodiscard]] bool is_current(const LoopStage& stage, const StageRecord* record, const std::string& key) const {
     return record != nullptr && record->has_ended() && record->key == key && record->manifest_hash == manifest_hash(stage) &&
            std::all_of(record->files.begin(), record->files.end(),
@@ -480,10 +479,15 @@ class LoopRun {
       for (const std::string& line : verdict()) out_ << "- " << line << '\n';
     }
     std::vector<std::string> files;
-    for (const char* file : {"report.html", "inflate/chamber.png", "limit/pv_curve.png", "validate/worst.png",
-                             "locomote/robot.png", "locomote/frames.pvd", "export/champion.png"}) {
-      const std::string name = fs::path(file).begin()->stem().string();
-      if (current_.contains(name) && io::is_file(places_.results / file)) files.push_back(shown(places_.results / file));
+    for (const auto& [stage, file] : {std::pair{"report", "report.html"},
+                                      {"report", "report.walk_1.gif"},
+                                      {"inflate", "inflate/chamber.png"},
+                                      {"limit", "limit/pv_curve.png"},
+                                      {"validate", "validate/worst.png"},
+                                      {"locomote", "locomote/robot.png"},
+                                      {"locomote", "locomote/frames.pvd"},
+                                      {"export", "export/champion.png"}}) {
+      if (current_.contains(stage) && io::is_file(places_.results / file)) files.push_back(shown(places_.results / file));
     }
     if (!files.empty() && is_whole) out_ << "Look at " << io::joined(files) << ".\n";
     if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";

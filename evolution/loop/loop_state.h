@@ -27,7 +27,7 @@ struct StageRecord {
   std::string key{};                 ///< of what decides its results, see LoopRun
   double seconds = 0.0;              ///< wall time of all its runs for this key
   std::string finding{};             ///< its result in words
-  std::string manifest_hash{};       ///< of the content of its manifest
+  std::string manifest_hash{};       ///< io::hash_of_results of its manifest
   std::vector<std::string> files{};  ///< that it left, counted from the folder of the results
   bool takes_over = false;           ///< whether its folder may still hold results for another key
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/text/content_hash.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/manifest.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -14,10 +14,8 @@ namespace menger::evolution {
 namespace fs = std::filesystem;
 
 bool LoopVerdict::is_current(const fs::path& results_folder) const {
-  return std::ranges::all_of(results, [&](const auto& result) {
-    const fs::path file = results_folder / result.first;
-    return io::is_file(file) && io::file_hash(file) == result.second;
-  });
+  return std::ranges::all_of(
+      results, [&](const auto& result) { return io::hash_of_results(results_folder / result.first) == result.second; });
 }
 
 void write_loop_verdict(const fs::path& results, const LoopVerdict& verdict) {

@@ -11,7 +11,7 @@ namespace menger::evolution {
 /// What a loop says came out, as it leaves it for the report in loop_verdict.json.
 struct LoopVerdict {
   std::vector<std::string> lines{};              ///< sentences for people
-  std::map<std::string, std::string> results{};  ///< SHA-256 by manifest of the results that they are about, from the folder
+  std::map<std::string, std::string> results{};  ///< io::hash_of_results by manifest, from the folder
 
   /// Whether the folder still has the results that the sentences are about.
   [[nodiscard]] bool is_current(const std::filesystem::path& results_folder) const;

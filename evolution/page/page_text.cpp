@@ -132,7 +132,8 @@ json json_of(const PageScene& scene, PageBlobs& blobs) {
           {"unit", scene.unit},
           {"ground", scene.ground_m ? json(*scene.ground_m) : json(nullptr)},
           {"bodies", bodies},
-          {"note", scene.note}};
+          {"note", scene.note},
+          {"animation", scene.animation}};
 }
 
 /// JSON that can stand in a script element: without "<", so that nothing in it can end the element, and in ASCII.

@@ -118,6 +118,7 @@ struct PageScene {
   std::optional<double> ground_m{};  ///< height of the ground, if there is one
   std::vector<PageBody> bodies{};
   std::string note{};
+  std::string animation{};  ///< name of the file beside the page that shows the same; empty if there is none
 };
 
 /// A part of the page under a heading.

@@ -162,10 +162,10 @@ void remove_animations(ReportResult& result) {
   }
 }
 
-/// Draws the walks of the page beside it. What cannot be drawn is said in a note.
-void animate(const ReportPage& page, const ReportOptions& options, ReportResult& result) {
-  std::vector<const PageScene*> walks;
-  for (const PageScene& scene : page.scenes)
+/// Draws the walks of the page beside it, and notes in each what shows it. What cannot be drawn is said in a note.
+void animate(ReportPage& page, const ReportOptions& options, ReportResult& result) {
+  std::vector<PageScene*> walks;
+  for (PageScene& scene : page.scenes)
     if (scene.ground_m && scene.unit == "s") walks.push_back(&scene);
   const std::size_t count = std::min({walks.size(), options.animations, most_animations});
   if (count < walks.size())
@@ -191,6 +191,7 @@ void animate(const ReportPage& page, const ReportOptions& options, ReportResult&
       return;
     }
     result.animations.push_back(file);
+    walks[n]->animation = name;
     result.notes.push_back(name + " shows: " + walks[n]->title);
   }
 }
@@ -227,15 +228,19 @@ ReportResult write_report(const fs::path& folder, const ReportOptions& options) 
   std::set<std::string> known;
   std::erase_if(page.notes, [&](const std::string& note) { return !known.insert(note).second; });
   tell("write the page", 0.4);
-  const std::string text = fitting_text(page, options);
-  io::write_whole(result.file, text);
-  result.bytes = text.size();
+  const auto write = [&] {
+    const std::string text = fitting_text(page, options);
+    io::write_whole(result.file, text);
+    result.bytes = text.size();
+  };
+  write();
   result.verdict = page.verdict;
   result.has_motion = options.three.code && !page.scenes.empty();
   result.notes = page.notes;
   if (options.animations > 0) {
     remove_animations(result);
     animate(page, options, result);
+    if (!result.animations.empty()) write();  // with links to them
   }
   return result;
 }

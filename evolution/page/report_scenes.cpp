@@ -186,7 +186,7 @@ void move_apart(std::vector<PageBody>& bodies) {
   for (std::size_t n = 1; n < bodies.size(); ++n) {
     const auto [low, high] = box_of(bodies.front(), 0);
     const auto [own_low, own_high] = box_of(bodies[n], 0);
-    const double aside_m = 1.6 * static_cast<double>(n) * std::max(high[0] - low[0], high[1] - low[1]);
+    const double aside_m = 2.2 * static_cast<double>(n) * std::max(high[0] - low[0], high[1] - low[1]);
     const std::array<double, 3> shift{0.5 * (low[0] + high[0] - own_low[0] - own_high[0]),
                                       0.5 * (low[1] + high[1] - own_low[1] - own_high[1]) - aside_m, low[2] - own_low[2]};
     for (std::size_t axis = 0; axis < 3; ++axis) {

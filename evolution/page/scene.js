@@ -443,6 +443,11 @@ function drawMotion(data, parent) {
     state.labels = state.bodies.map((b) => (state.bodies.length > 1 ? element('div', {class: 'label'}, b.name, stage) : null));
     timeName.textContent = scene.clock.charAt(0).toUpperCase() + scene.clock.slice(1);
     source.textContent = `From ${scene.source}.` + (scene.note ? ` ${scene.note}` : '');
+    if (scene.animation) {
+      source.append(' As an animation: ');
+      element('a', {href: encodeURIComponent(scene.animation)}, scene.animation, source);
+      source.append('.');
+    }
     frameAll();
     drawColours();
     moveSlider();

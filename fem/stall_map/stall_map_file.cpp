@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fem/pneumatics/pneumatic_supply_file.h"
+#include "io/study/installed_folders.h"
 #include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
@@ -179,7 +180,12 @@ void describe_walker_design(io::StudyVisitor& visitor, StallWalker& walker, std:
 void describe_walker(io::StudyVisitor& visitor, StallWalker& walker, std::map<std::string, std::string>& inputs) {
   visitor.table({.name = "design", .help = "The robot.", .earlier_text = "design.file"},
                 [&] { describe_walker_design(visitor, walker, inputs); });
-  visitor.path({"parameters", "Voxel parameters of its cells.", "\"parameters.toml\""}, walker.parameters);
+  visitor.path({.name = "parameters",
+                .help = "File of the voxel parameters of its cells, or the name of some that come with menger: "
+                        "dragon_skin_10_1cm for example.",
+                .example = "\"parameters.toml\"",
+                .data = io::parameter_data},
+               walker.parameters);
   if (visitor.source() != nullptr) {
     walker.parameters_text = visitor.source()->reading("parameters", [&] { return io::read_whole(walker.parameters); });
     io::note_input(inputs, walker.parameters, walker.parameters_text);

@@ -1,6 +1,12 @@
 #include "io/study/installed_folders.h"
 
+#include <algorithm>
+#include <string>
 #include <system_error>
+#include <utility>
+
+#include "io/text/is_file.h"
+#include "io/text/joined_text.h"
 
 namespace menger::io {
 
@@ -13,6 +19,30 @@ fs::path data_folder(std::string_view name) {
   std::error_code missing;
   const fs::path resolved = fs::canonical(folder, missing);
   return missing ? folder : resolved;
+}
+
+std::vector<fs::path> data_files(std::string_view name) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(data_folder(name), error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() == ".toml") files.push_back(entry->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+fs::path file_or_data(const TomlTable& table, std::string_view key, std::string_view folder) {
+  const std::string name = table.text(key);
+  const bool is_path = name.empty() || name.find('/') != std::string::npos || name.ends_with(".toml");
+  if (is_path || is_file(table.path(key))) return table.path(key);
+  std::vector<std::string> known;
+  for (fs::path& file : data_files(folder)) {
+    known.push_back(file.stem().string());
+    if (known.back() == name) return std::move(file);
+  }
+  if (known.empty())
+    throw table.error(key, "is no file (.toml), and those of menger are missing in " + data_folder(folder).string());
+  throw table.error(key, "is neither a file (.toml) nor one of " + joined(known));
 }
 
 }  // namespace menger::io

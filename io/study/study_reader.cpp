@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "io/study/installed_folders.h"
 #include "io/study/magnitude.h"
 
 namespace menger::io {
@@ -99,7 +100,7 @@ StudyValue read_study_value(const TomlTable& table, const StudyEntry& entry) {
     case ValueKind::text:
       return read_text(table, entry);
     case ValueKind::path:
-      return table.path(name);
+      return entry.key.data.empty() ? table.path(name) : file_or_data(table, name, entry.key.data);
     case ValueKind::integers:
       return read_integers(table, entry);
     case ValueKind::numbers:

@@ -60,7 +60,7 @@ void StudyTemplateWriter::visit(const StudyEntry& entry, std::optional<StudyValu
   const bool is_left_out = !value;
   if (is_left_out && takes_next(std::string(entry.key.name))) take(example_of(entry));
   std::string values = extended(unit_of(entry.key.name), values_of(entry));
-  if (entry.is_required()) values = extended(std::move(values), "must be given");
+  if (entry.is_required()) values = extended(std::move(values), required_);
   if (entry.is_optional) values = extended(std::move(values), "may be left out");
   comment(std::string(entry.key.help) + (values.empty() ? "" : " (" + values + ")"));
   const std::string given = value ? study_value_text(*value) : std::string(entry.key.example);
@@ -146,6 +146,9 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   for (const Alternative& alternative : alternatives) {
     if (&alternative != usual && !alternative.is_for_programs && takes_next(std::string(alternative.key))) written = &alternative;
   }
+  const std::string_view required = required_;
+  const auto is_shown = [](const Alternative& alternative) { return !alternative.is_for_programs; };
+  if (std::ranges::count_if(alternatives, is_shown) > 1) required_ = "must be given, or what stands in its place below";
   const auto write = [&] {
     written->choose();
     if (written == usual) return written->describe();
@@ -153,6 +156,7 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
   };
   const std::size_t counted = alternatives_;
   if (written != nullptr) write();
+  required_ = "";  // the line before each of the others says what it stands in place of
   bool has_others = false;
   for (const Alternative& alternative : alternatives) {
     if (&alternative == written || alternative.is_for_programs) continue;
@@ -167,6 +171,7 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
       as_comment_with_title("In place of " + std::string(written->key) + ":", describe);
     }
   }
+  required_ = required;
   if (written == nullptr || !has_others) return;
   // Once more without a text, so that the study has this form afterwards.
   const StudySection text = *section_;

@@ -57,6 +57,7 @@ class StudyTemplateWriter : public StudyVisitor {
   std::string enabled_name_{};
   std::size_t alternatives_ = 0;
   bool is_comment_ = false;
+  std::string_view required_ = "must be given";  ///< what is said of a key without a default
   bool keeps_values_ = false;
   bool has_defaults_ = false;  ///< whether an earlier key gives the defaults, so that only other values are written
   StudySection top_{};

@@ -36,6 +36,8 @@ struct Key {
   /// Whether another table, a file or the command line may give the value instead. A schema sees only this table, so it does not
   /// require the key then.
   bool may_be_elsewhere = false;
+  /// For a path: a data folder of menger (data_folder), whose files a study may name without path and suffix.
+  std::string_view data{};
 };
 
 /// How many values a list may hold.

@@ -3,8 +3,11 @@
 #include <toml++/toml.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
+#include "io/text/content_hash.h"
+#include "io/text/is_file.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -44,6 +47,20 @@ std::string program_of_manifest(const std::filesystem::path& file) {
   const nlohmann::json json = nlohmann::json::parse(read_whole(file), nullptr, false);  // no object where it is no JSON
   if (!json.is_object() || !json.contains("program") || !json.at("program").is_string()) return {};
   return json.at("program").get<std::string>();
+}
+
+std::string hash_of_results(const std::filesystem::path& file) {
+  if (!is_file(file)) return {};
+  const std::string text = read_whole(file);
+  nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return content_hash(text);
+  json.erase("seconds");
+  if (const auto inputs = json.find("inputs_sha256"); inputs != json.end() && inputs->is_object()) {
+    std::multiset<std::string> contents;
+    for (const auto& content : *inputs) contents.insert(content.dump());
+    *inputs = contents;
+  }
+  return content_hash(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void write_manifest_file(const std::filesystem::path& file, const Manifest& manifest) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <vector>
 
 #include "io/study/installed_folders.h"
@@ -28,12 +27,7 @@ bool holds_for(const fs::path& file, const Robot& robot) {
 }  // namespace
 
 std::optional<fs::path> known_parameters(const Robot& robot) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::directory_iterator entry(io::data_folder("parameters"), error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() == ".toml") files.push_back(entry->path());
-  }
-  std::sort(files.begin(), files.end());
+  const std::vector<fs::path> files = io::data_files(io::parameter_data);
   const auto found = std::find_if(files.begin(), files.end(), [&](const fs::path& file) { return holds_for(file, robot); });
   return found == files.end() ? std::nullopt : std::optional(*found);
 }

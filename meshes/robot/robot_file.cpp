@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/study/installed_folders.h"
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
@@ -156,10 +157,12 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
   });
   visitor.table({"surrogate", "The fast stand-in of voxels."}, [&] {
     visitor.optional_path(
-        {"parameters",
-         "Parameters of the voxels that menger calibrate wrote. Without it, those that come with menger for this "
-         "silicone, cell edge and wall, or else parameters that are fitted.",
-         "\"parameters.toml\""},
+        {.name = "parameters",
+         .help =
+             "Parameters of the voxels: a file that menger calibrate wrote, or the name of some that come with menger. Without "
+             "it, those that come with menger for this silicone, cell edge and wall, or else parameters that are fitted.",
+         .example = "\"parameters.toml\"",
+         .data = io::parameter_data},
         robot.parameters);
     visitor.boolean({"fit_anew", "Whether parameters are fitted although menger comes with some (minutes)."}, robot.fits_anew);
     visitor.check(!robot.parameters || !robot.fits_anew, "fit_anew", "cannot be true beside parameters");

@@ -1,5 +1,6 @@
 #include "meshes/robot/robot_studies.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -20,6 +21,8 @@ namespace fs = std::filesystem;
 
 /// Periods of the drive in the walks of a search: the first, in which the pressure grows, and the five that count.
 constexpr double search_periods = 6.0;
+/// Between rest and each end of the drive.
+constexpr int validated_states = 6;
 /// Numbers of a duration after the point, s.
 constexpr double duration_digits_per_s = 1e4;
 
@@ -81,6 +84,7 @@ class StudyTexts {
   std::string validate_load_cases() {
     load_case_head();
     text_.line("").entry("case").add("name", "robot_inflation").add("kind", "inflation");
+    text_.add("pressures_Pa", std::span<const double>(validated_pressures_Pa()));
     body();
     if (robot_.chambers != ChamberLayout::single) {
       text_.add("cell_edge_m", robot_.design.cell_edge_m).add("wall_thickness_m", robot_.wall_thickness_m);
@@ -166,6 +170,18 @@ class StudyTexts {
                : path(robot_.silicone_file);
   }
 
+  /// The states in which the surrogate is compared with finite elements: those that the drive passes through.
+  [[nodiscard]] std::vector<double> validated_pressures_Pa() const {
+    std::vector<double> pressures_Pa;
+    const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
+    for (const double end_Pa : {std::min(lowest_Pa, 0.0), std::max(highest_Pa, 0.0)}) {
+      for (int n = 1; n <= validated_states; ++n) pressures_Pa.push_back(std::round(end_Pa * n / validated_states));
+    }
+    std::ranges::sort(pressures_Pa);
+    std::erase(pressures_Pa, 0.0);
+    return pressures_Pa;
+  }
+
   void body() {
     const Polycube& cells = robot_.design.body;
     text_.add("cells", std::span<const std::int64_t>(std::array<std::int64_t, 3>{cells.nx(), cells.ny(), cells.nz()}));
@@ -193,7 +209,7 @@ class StudyTexts {
   /// Those that come with menger lie far from here.
   [[nodiscard]] std::string parameters() const {
     const fs::path file = parameters_of(robot_, places_);
-    return parameter_source(robot_) == ParameterSource::known ? file.string() : path(file);
+    return parameter_source(robot_) == ParameterSource::known ? file.stem().string() : path(file);
   }
 
   void surrogate() {

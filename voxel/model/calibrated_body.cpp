@@ -40,9 +40,7 @@ ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Pol
 /// Returns why walls of a class have no size somewhere in the drive, or an empty text.
 std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
   const SurrogateParameters& parameters = calibrated.parameters;
-  const auto text = [c](const char* what, double pressure) {
-    return "wall class " + std::string(wall_class_names[c]) + what + io::number_text(pressure);
-  };
+  const auto text = [c](const char* what, double pressure) { return wall_class_text(c) + what + io::number_text(pressure); };
   // Both ends are enough: zero pressure, from which the drive may be ramped, has a value in every law.
   for (const double pressure : calibrated.pressure_Pa) {
     for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {

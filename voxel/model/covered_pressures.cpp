@@ -10,11 +10,9 @@
 namespace menger::voxel {
 namespace {
 
-std::string class_text(std::size_t wall_class) { return "wall class " + std::string(wall_class_names[wall_class]); }
-
 std::string class_text(std::size_t wall_class, std::size_t gap) {
   constexpr ByGap<std::string_view> cells{"one cell", "two cells", "three cells or more"};
-  return class_text(wall_class) + " with a wall facing it across " + std::string(cells.at(gap));
+  return wall_class_text(wall_class) + " with a wall facing it across " + std::string(cells.at(gap));
 }
 
 bool has_class(const BodyWalls& walls, std::size_t wall_class) {
@@ -94,7 +92,7 @@ CoveredPressures covered_pressures(const ValidityRange& validity, const BodyWall
     for (std::size_t gap = 0; gap < gap_count; ++gap) {
       if (walls.facing[gap][c]) end_below(validity.lowest_pressure_Pa[gap][c], class_text(c, gap));
     }
-    if (has_class(walls, c)) end_above(validity.highest_pressure_Pa[c], class_text(c));
+    if (has_class(walls, c)) end_above(validity.highest_pressure_Pa[c], wall_class_text(c));
   }
   if (walls.has_joints) {
     end_below(validity.lowest_joint_pressure_Pa, "joints");

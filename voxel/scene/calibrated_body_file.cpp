@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "io/study/installed_folders.h"
 #include "io/text/number_text.h"
 #include "io/text/range.h"
 #include "meshes/design/hollow_body_file.h"
@@ -22,7 +23,12 @@ void describe_parameters(io::StudyVisitor& visitor, CalibratedBody& body) {
   const auto in_file = [&] {
     if (const io::TomlTable* table = visitor.source(); table != nullptr && table->is_table("parameters")) return in_place();
     std::filesystem::path file;
-    visitor.path({"parameters", "File of voxel parameters that menger calibrate wrote.", "\"parameters.toml\""}, file);
+    visitor.path({.name = "parameters",
+                  .help = "File of voxel parameters that menger calibrate wrote, or the name of some that come with menger: "
+                          "dragon_skin_10_1cm for example.",
+                  .example = "\"parameters.toml\"",
+                  .data = io::parameter_data},
+                 file);
     if (const io::TomlTable* table = visitor.source())
       body.parameters = table->reading("parameters", [&] { return read_surrogate(file); });
   };
@@ -67,7 +73,9 @@ void describe(io::StudyVisitor& visitor, CalibratedBody& body) {
 
 std::optional<std::filesystem::path> parameters_file(const io::TomlTable& table) {
   const auto surrogate = table.optional_table("surrogate");
-  return surrogate && surrogate->is_text("parameters") ? surrogate->optional_path("parameters") : std::nullopt;
+  return surrogate && surrogate->is_text("parameters")
+             ? std::optional(io::file_or_data(*surrogate, "parameters", io::parameter_data))
+             : std::nullopt;
 }
 
 }  // namespace menger::voxel

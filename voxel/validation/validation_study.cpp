@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "io/study/installed_folders.h"
 #include "io/study/study_reader.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
@@ -94,9 +95,11 @@ void describe_curves(io::StudyVisitor& visitor, ValidationStudy& study) {
 void describe(io::StudyVisitor& visitor, ValidationStudy& study) {
   const char* parameters = study.parameters.empty() ? "\"parameters.toml\"" : "";
   visitor.path({.name = "parameters",
-                .help = "File of voxel parameters that menger calibrate wrote.",
+                .help = "File of voxel parameters that menger calibrate wrote, or the name of some that come with menger: "
+                        "dragon_skin_10_1cm for example.",
                 .example = parameters,
-                .may_be_elsewhere = true},
+                .may_be_elsewhere = true,
+                .data = io::parameter_data},
                study.parameters);
   visitor.optional_path({"load_cases", "File of load cases. Their curves are computed first.", "\"load_cases.toml\""},
                         study.load_cases);

@@ -202,6 +202,21 @@ TEST_F(LoopRunTest, ChangedProgramOrMissingResultRunsAgain) {
   EXPECT_EQ(called(), (Names{"validate"}));
 }
 
+TEST_F(LoopRunTest, TakesTheResultsOfTheSameCommandByHand) {
+  write_program("inflate", R"(echo '{"program": "menger-inflate", "parameters": {"p": 1}, "seconds": 2, )"
+                           R"("inputs_sha256": {"studies/inflate.toml": "12"}}' > $out/manifest.json)");
+  ASSERT_EQ(run(), io::exit_code::done);
+  const fs::path manifest = folder_ / "results/inflate/manifest.json";
+  io::write_whole(manifest, R"({"program": "menger-inflate", "parameters": {"p": 1}, "seconds": 3,
+                                "inputs_sha256": {"bar/results/studies/inflate.toml": "12"}})");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+  io::write_whole(manifest, R"({"program": "menger-inflate", "parameters": {"p": 2}, "seconds": 2,
+                                "inputs_sha256": {"studies/inflate.toml": "12"}})");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), (Names{"inflate"}));
+}
+
 TEST_F(LoopRunTest, FitsWhereMengerHasNoParametersAndFollowsTheFit) {
   change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
   write_program("calibrate", "echo fitted > calibrate/parameters.toml");

@@ -90,7 +90,7 @@ TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
   const tests::TestFolder folder;
   write_walk(folder / "locomote", "menger-locomote", "cube");
   const auto loop_says = [&](const std::string& manifest) {
-    const std::map<std::string, std::string> results{{manifest, io::file_hash(folder / "locomote/manifest.json")}};
+    const std::map<std::string, std::string> results{{manifest, io::hash_of_results(folder / "locomote/manifest.json")}};
     write_loop_verdict(folder, {.lines = {"The body bears its <pressure>.", "It walks."}, .results = results});
   };
   loop_says("locomote/manifest.json");
@@ -253,6 +253,7 @@ TEST(ReportRun, AnimatesAWalk) {
   ASSERT_EQ(result.animations.size(), 1U) << (result.notes.empty() ? "" : result.notes.back());
   EXPECT_EQ(result.animations.front(), folder / "report.walk_1.gif");
   EXPECT_TRUE(io::read_whole(folder / "report.walk_1.gif").starts_with("GIF89a"));
+  EXPECT_NE(io::read_whole(result.file).find("\"animation\":\"report.walk_1.gif\""), std::string::npos) << "a link to it";
 }
 
 TEST(ReportRun, RemovesAnimationsOfAnEarlierPageOnly) {

@@ -52,6 +52,35 @@ TEST(Manifest, SurvivesBytesThatAreNoUtf8) {
   EXPECT_TRUE(nlohmann::json::parse(text).at("parameters").is_string());
 }
 
+TEST(Manifest, HashOfResultsLeavesOutTimeAndPaths) {
+  const tests::TestFolder folder;
+  const auto hash = [&](const Manifest& manifest) {
+    write_manifest(folder, manifest);
+    return hash_of_results(folder / "manifest.json");
+  };
+  const Manifest manifest{
+      .program = "p", .parameters = "a = 1\n", .seed = 1, .seconds = 1.5, .inputs = {{"a.toml", "11"}, {"b.toml", "22"}}};
+  const std::string whole = hash(manifest);
+  Manifest other = manifest;
+  other.seconds = 2.5;
+  other.inputs = {{"away/a.toml", "22"}, {"away/b.toml", "11"}};
+  EXPECT_EQ(hash(other), whole);
+  other.inputs["away/b.toml"] = "12";
+  EXPECT_NE(hash(other), whole);
+  other = manifest;
+  other.parameters = "a = 2\n";
+  EXPECT_NE(hash(other), whole);
+  other = manifest;
+  other.seed = 2;
+  EXPECT_NE(hash(other), whole);
+  other = manifest;
+  other.program = "q";
+  EXPECT_NE(hash(other), whole);
+  EXPECT_EQ(hash_of_results(folder / "absent.json"), "");
+  write_whole(folder / "manifest.json", "[no object");
+  EXPECT_EQ(hash_of_results(folder / "manifest.json"), content_hash("[no object"));
+}
+
 TEST(Version, IsThreeNumbers) {
   int major = 0;
   int minor = 0;

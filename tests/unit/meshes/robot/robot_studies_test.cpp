@@ -126,7 +126,7 @@ TEST(RobotStudies, TakeTheParametersThatAreGivenKnownOrFitted) {
         .table("surrogate")
         .text("parameters");
   };
-  EXPECT_EQ(parameters(""), (source / "voxel/parameters/dragon_skin_10_1cm.toml").string());
+  EXPECT_EQ(parameters(""), "dragon_skin_10_1cm");
   EXPECT_EQ(parameters("[surrogate]\nfit_anew = true\n"), "../calibrate/parameters.toml");
   EXPECT_EQ(parameters("[surrogate]\nparameters = \"mine.toml\"\n"), "../../mine.toml");
 }
@@ -142,6 +142,22 @@ TEST(RobotStudies, InflateWhatDoesNotWalkWithoutAGround) {
     EXPECT_EQ(supports("", study), "");
     EXPECT_EQ(supports("[walk]\npresent = false\n", study), "free");
   }
+}
+
+TEST(RobotStudies, CompareShapesAtThePressuresOfTheDrive) {
+  const tests::TestFolder folder;
+  const auto pressures_Pa = [&](const std::string& drive) {
+    const Robot robot = robot_of(folder, std::string(dragon_skin_1cm) + "[drive]\npressure_Pa = " + drive + "\n");
+    return io::parse_toml(study_text(robot, RobotStudy::validate_load_cases, RobotPlaces(robot.file)), "x")
+        .tables("case")
+        .front()
+        .numbers("pressures_Pa");
+  };
+  using Values = std::vector<double>;
+  EXPECT_EQ(pressures_Pa("[0, 6000]"), (Values{1000, 2000, 3000, 4000, 5000, 6000}));
+  EXPECT_EQ(pressures_Pa("[3000, 6000]"), pressures_Pa("[0, 6000]"));
+  EXPECT_EQ(pressures_Pa("[-300, 0]"), (Values{-300, -250, -200, -150, -100, -50}));
+  EXPECT_EQ(pressures_Pa("[-300, 6000]"), (Values{-300, -250, -200, -150, -100, -50, 1000, 2000, 3000, 4000, 5000, 6000}));
 }
 
 TEST(RobotStudies, NameASiliconeOfTheUserFromTheirOwnFolder) {

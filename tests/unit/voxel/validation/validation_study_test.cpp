@@ -89,11 +89,12 @@ TEST_F(ValidationStudyFile, TextsOfAllStudiesAreReadBack) { tests::expect_texts_
 TEST_F(ValidationStudyFile, NamesKeyAndValueOfBadInput) {
   for (const auto& [text, message] :
        {std::pair{"curves = ['a']", "parameters"},
-        {"parameters = 'p'", "curves"},
-        {"parameters = 'p'\ncurves = []", "curves"},
-        {"parameters = 'p'\ncurves = ['a']\naim = 0", "aim = 0"},
-        {"parameters = 'p'\ncurves = ['a']\nactuation_amplitude = 1.5", "actuation_amplitude = 1.5"},
-        {"parameters = 'p'\ncurves = ['a']\ncurve = 1", "curve"}}) {
+        {"parameters = 'p'", "parameters = \"p\": is neither a file (.toml) nor one of"},
+        {"parameters = 'p.toml'", "curves"},
+        {"parameters = 'p.toml'\ncurves = []", "curves"},
+        {"parameters = 'p.toml'\ncurves = ['a']\naim = 0", "aim = 0"},
+        {"parameters = 'p.toml'\ncurves = ['a']\nactuation_amplitude = 1.5", "actuation_amplitude = 1.5"},
+        {"parameters = 'p.toml'\ncurves = ['a']\ncurve = 1", "curve"}}) {
     try {
       (void)study(text);
       ADD_FAILURE() << text;
