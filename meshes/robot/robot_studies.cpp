@@ -174,7 +174,7 @@ class StudyTexts {
   [[nodiscard]] std::vector<double> validated_pressures_Pa() const {
     std::vector<double> pressures_Pa;
     const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
-    for (const double end_Pa : {std::min(lowest_Pa, 0.0), std::max(highest_Pa, 0.0)}) {
+    for (const double end_Pa : {std::min(lowest_Pa, 0.0), highest_Pa}) {
       for (int n = 1; n <= validated_states; ++n) pressures_Pa.push_back(std::round(end_Pa * n / validated_states));
     }
     std::ranges::sort(pressures_Pa);
