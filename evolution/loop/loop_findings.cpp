@@ -240,9 +240,12 @@ bool are_as_long(const Walk& one, const Walk& other) {
 
 std::string both(const Walk& one, const Walk& other) {
   if (agreement(one, other) == meshes::WalkAgreement::both_go_nowhere)
-    return "it stays where it is, within " + percents(meshes::walk_limits::least_body_lengths) + " of its length";
-  return millimetres(one.distance_m()) + " and " + millimetres(other.distance_m()) + ", " +
-         io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg())) + " degrees apart";
+    return "it does not get away, and ends within " + percents(meshes::walk_limits::least_body_lengths) +
+           " of its length from where it began";
+  const std::string distances = millimetres(one.distance_m()) + " and " + millimetres(other.distance_m());
+  if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere) return distances + ", of which the shorter is no walk";
+  return distances + ", " + io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg())) +
+         " degrees apart";
 }
 
 std::string shape_verdict(const ShapeErrors& errors) {
@@ -255,6 +258,18 @@ std::string shape_verdict(const ShapeErrors& errors) {
     reasons +=
         ", and " + std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way";
   return "Do not trust the surrogate for this body: " + reasons + "; see validate/worst.png.";
+}
+
+/// What the softest law of the record says of a drive that the recommended law bears, if it does not bear it as well. Pressures
+/// go nearly with the shear modulus.
+std::string softest_law_verdict(const meshes::Robot& robot, double limit_Pa) {
+  if (robot.record.others.empty()) return "";
+  const materials::SourcedLaw softest = materials::softest_and_stiffest(robot.record.others).first;
+  const double ratio =
+      materials::shear_modulus_at_rest_Pa(softest.law) / materials::shear_modulus_at_rest_Pa(robot.record.recommended.law);
+  if (drive_pressure_Pa(robot)[1] <= meshes::largest_safe_share * std::min(ratio, 1.0) * limit_Pa) return "";
+  return " By the softest law of its silicone (" + meshes::named_law(softest) + ") it would balloon near " +
+         kilopascals(ratio * limit_Pa) + ": test the silicone that you cast.";
 }
 
 /// @param is_inflated whether the results have an inflation up to the pressure of the drive
@@ -275,7 +290,7 @@ std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot
     return "The pressure is within " + percents(1.0 - drive_Pa / *limit_Pa) +
            " of ballooning: a thin spot in a cast wall decides.";
   return "The body bears its pressure: up to " + kilopascals(meshes::largest_safe_share * *limit_Pa) +
-         " it is 20 % or more below ballooning.";
+         " it is 20 % or more below ballooning." + softest_law_verdict(robot, *limit_Pa);
 }
 
 std::string mesh_verdict(const Walk& coarser, const Walk& finer) {

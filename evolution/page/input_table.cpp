@@ -176,6 +176,16 @@ std::optional<LawSource> law_source(const CommandOutput& output, const json& law
 }
 
 std::string damping_text(const json& material) {
+  if (const auto factors = material.find("loss_factors"); factors != material.end() && factors->is_array()) {
+    std::vector<std::string> points;
+    const json frequencies_Hz = material.value("loss_frequencies_Hz", json::array());
+    for (std::size_t n = 0; n < factors->size() && n < frequencies_Hz.size(); ++n) {
+      if ((*factors)[n].is_number() && frequencies_Hz[n].is_number())
+        points.push_back(shown_number((*factors)[n].get<double>()) + " at " + shown_number(frequencies_Hz[n].get<double>()) +
+                         " Hz");
+    }
+    return io::joined(points);
+  }
   const auto factor = number_of(material, "loss_factor");
   if (!factor) return {};
   std::string text = shown_number(*factor);

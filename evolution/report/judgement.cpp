@@ -41,7 +41,7 @@ io::CsvTable judgement_table(const Study& judge, std::span<const FitDesign> robo
   const std::vector<std::string> protocols = evaluator_of(judge)->scenarios();
   std::vector<Scenario> scenarios = scenarios_of(judge);
   if (scenarios.empty())
-    scenarios.push_back({judge.physics.materials[0].kinetic_friction, judge.silicone.silicone.loss_factor.value_or(0.0)});
+    scenarios.push_back({judge.physics.materials[0].kinetic_friction, fem::stated_loss_factor(judge.silicone.silicone)});
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(judge.search, robots[n].phenotype);
     const std::string design = design_hash(simulated, level);

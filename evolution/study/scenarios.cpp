@@ -18,7 +18,7 @@ Study in_scenario(const Study& study, const Scenario& scenario) {
     material.static_friction = scenario.friction;
     material.kinetic_friction = scenario.friction;
   }
-  one.silicone.silicone.loss_factor = scenario.loss_factor;
+  fem::set_loss_factor(one.silicone.silicone, scenario.loss_factor);
   one.robust.reset();
   one.search.scenarios = 1;
   one.search.quantile = 0.0;

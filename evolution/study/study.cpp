@@ -56,7 +56,7 @@ void add_notes_of_silicone(const Study& study, std::vector<std::string>& notes) 
   const std::string name = silicone.law.record ? silicone.law.record->name : "this silicone";
   if (!silicone.law.record || !silicone.law.record->loss) {
     notes.push_back("the damping of " + name + " is not measured; its loss factor is taken as " +
-                    io::number_text(silicone.loss_factor.value_or(0.0)) + " at " + io::number_text(silicone.loss_frequency_Hz) +
+                    io::number_text(fem::stated_loss_factor(silicone)) + " at " + io::number_text(silicone.loss_frequency_Hz) +
                     " Hz");
   }
   if (silicone.is_ratio_assumed)

@@ -61,17 +61,31 @@ class BoxElements {
     dilatation_ = sum * Pack(0.125);
   }
 
-  /// Relaxes the branches by their share of the distance to rest.
-  /// @param tensors of this batch, changed
-  /// @return the means of the tensors before and after
+  /// Relaxes the branches by their shares of the distance to rest.
+  /// @param tensors of this batch in the first set, changed as all sets are
+  /// @return the means of the tensors before and after, over all branches by their moduli
   const double* relax(const BranchTask& branch, double* tensors) {
-    BranchSums<Pack> sums;
-    for (std::size_t q = 0; q < 8; ++q) {
-      const std::size_t first = 6 * Pack::size * q;
-      relax_point(Pack(branch.share), tensor_at(gradient_, q), points_[q], tensors + first, mean_tensors_.data() + first, sums);
+    relaxed_ = Pack(0.0);
+    if (branch.count == 1) {
+      relax_one(branch, 0, tensors, mean_tensors_.data());
+      return mean_tensors_.data();
     }
-    const Pack fall = xsimd::log(sums.determinants / sums.determinants_before) - sums.contractions;
-    relaxed_ = fall * volume_ * Pack(branch.shear_modulus_Pa / 16.0);  // m/2 and 1/8 of the volume
+    alignas(64) std::array<double, branch_numbers_per_lane * Pack::size> own_mean;
+    std::array<Symmetric<Pack>, 8> after{};
+    std::array<Symmetric<Pack>, 8> mean{};
+    for (std::size_t n = 0; n < branch.count; ++n) {
+      double* own = tensors + (n + 1) * branch.sets_apart;
+      relax_one(branch, n, own, own_mean.data());
+      const Pack weight(branch.shear_moduli_Pa[n] / branch.shear_modulus_Pa);
+      for (std::size_t q = 0; q < 8; ++q) {
+        add_share(after[q], weight, own + 6 * Pack::size * q);
+        add_share(mean[q], weight, own_mean.data() + 6 * Pack::size * q);
+      }
+    }
+    for (std::size_t q = 0; q < 8; ++q) {
+      store_symmetric(after[q], tensors + 6 * Pack::size * q);
+      store_symmetric(mean[q], mean_tensors_.data() + 6 * Pack::size * q);
+    }
     return mean_tensors_.data();
   }
 
@@ -126,11 +140,11 @@ class BoxElements {
       sum = sum + density;
     }
     smallest_ratio_ = xsimd::select(admissible > Pack(0.0), smallest_ratio_, Pack(-1.0));
-    if (tensors != nullptr) {
+    for (std::size_t n = 0; tensors != nullptr && n < task.branch.count; ++n) {
+      const double* own = task.branch.count == 1 ? tensors : tensors + (n + 1) * task.branch.sets_apart;
       BranchSums<Pack> branch;
-      for (std::size_t q = 0; q < 8; ++q)
-        add_branch_point(tensor_at(gradient_, q), points_[q], tensors + 6 * Pack::size * q, branch);
-      sum = xsimd::fma(branch.contractions - xsimd::log(branch.determinants), Pack(0.5 * task.branch.shear_modulus_Pa), sum);
+      for (std::size_t q = 0; q < 8; ++q) add_branch_point(tensor_at(gradient_, q), points_[q], own + 6 * Pack::size * q, branch);
+      sum = xsimd::fma(branch.contractions - xsimd::log(branch.determinants), Pack(0.5 * task.branch.shear_moduli_Pa[n]), sum);
     }
     return volume_ * xsimd::fma(sum, Pack(0.125), volume_laws[task.volume.index](task.volume.parameters, dilatation_).energy);
   }
@@ -140,6 +154,17 @@ class BoxElements {
   [[nodiscard]] const Pack& relaxed() const { return relaxed_; }
 
  private:
+  /// @param tensors of the branch, changed @param mean written: the means of before and after
+  void relax_one(const BranchTask& branch, std::size_t n, double* tensors, double* mean) {
+    BranchSums<Pack> sums;
+    for (std::size_t q = 0; q < 8; ++q) {
+      const std::size_t first = 6 * Pack::size * q;
+      relax_point(Pack(branch.shares[n]), tensor_at(gradient_, q), points_[q], tensors + first, mean + first, sums);
+    }
+    const Pack fall = xsimd::log(sums.determinants / sums.determinants_before) - sums.contractions;
+    relaxed_ = relaxed_ + fall * volume_ * Pack(branch.shear_moduli_Pa[n] / 16.0);  // m/2 and 1/8 of the volume
+  }
+
   static std::array<Pack, 9> tensor_at(const BoxGradient<Pack>& gradient, std::size_t q) {
     std::array<Pack, 9> result;
     for (std::size_t i = 0; i < 3; ++i)

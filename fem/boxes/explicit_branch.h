@@ -121,6 +121,18 @@ template <class Pack>
   sums.determinants = sums.determinants * determinant(after);
 }
 
+/// Adds share A to a tensor. @param from six packs
+template <class Pack>
+void add_share(Symmetric<Pack>& sum, const Pack& share, const double* from) {
+  const Symmetric<Pack> A = load_symmetric<Pack>(from);
+  for (std::size_t c = 0; c < 6; ++c) sum[c] = xsimd::fma(share, A[c], sum[c]);
+}
+
+template <class Pack>
+void store_symmetric(const Symmetric<Pack>& A, double* values) {
+  for (std::size_t c = 0; c < 6; ++c) A[c].store_aligned(values + c * Pack::size);
+}
+
 /// Adds A : C' - 3 of one point to the contractions, and multiplies the determinants by det A.
 template <class Pack>
 void add_branch_point(const std::array<Pack, 9>& F, const PointVolume<Pack>& point, const double* tensor,

@@ -1,5 +1,6 @@
 #include "fem/boxes/explicit_kernel.h"
 
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -16,14 +17,21 @@ using detail::ExplicitTask;
 using detail::reference_to;
 
 /// Returns a task whose branches do not relax.
-BranchTask resting(const MaxwellBranch& branch, const double* tensors) {
-  return {branch.shear_modulus_Pa, 0.0, branch.is_there() ? tensors : nullptr, nullptr};
+BranchTask resting(const std::vector<MaxwellBranch>& branches, const double* tensors, std::size_t sets_apart) {
+  assert(branches.size() <= most_branches);
+  BranchTask task{.count = branches.size(), .sets_apart = sets_apart, .tensors = branches.empty() ? nullptr : tensors};
+  for (std::size_t n = 0; n < branches.size(); ++n) {
+    task.shear_modulus_Pa += branches[n].shear_modulus_Pa;
+    task.shear_moduli_Pa[n] = branches[n].shear_modulus_Pa;
+  }
+  return task;
 }
 
-BranchTask relaxing(const MaxwellBranch& branch, const BranchTensors& tensors) {
-  BranchTask task = resting(branch, tensors.values);
+BranchTask relaxing(const std::vector<MaxwellBranch>& branches, const BranchTensors& tensors) {
+  BranchTask task = resting(branches, tensors.values, tensors.sets_apart);
   if (task.tensors == nullptr || !(tensors.relaxed_s > 0.0)) return task;
-  task.share = -std::expm1(-tensors.relaxed_s / branch.relaxation_time_s);
+  for (std::size_t n = 0; n < branches.size(); ++n)
+    task.shares[n] = -std::expm1(-tensors.relaxed_s / branches[n].relaxation_time_s);
   task.relaxing = tensors.values;
   return task;
 }
@@ -55,12 +63,13 @@ ExplicitKernels::ExplicitKernels(const ExplicitKernelTable& table)
 
 ElementsOutcome ExplicitKernels::forces(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
                                         const BranchTensors& branch, double* forces_N) const {
-  return table_->forces(task_of(material, relaxing(material.branch, branch), batches, motion), forces_N);
+  return table_->forces(task_of(material, relaxing(material.branches, branch), batches, motion), forces_N);
 }
 
 void ExplicitKernels::energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion,
-                               const double* branch, double* energies_J, double* smallest_ratios) const {
-  table_->energies(task_of(material, resting(material.branch, branch), batches, motion), energies_J, smallest_ratios);
+                               const double* branch, std::size_t sets_apart, double* energies_J, double* smallest_ratios) const {
+  table_->energies(task_of(material, resting(material.branches, branch, sets_apart), batches, motion), energies_J,
+                   smallest_ratios);
 }
 
 std::vector<ExplicitKernels> available_explicit_kernels() {

@@ -12,15 +12,15 @@
 namespace menger::fem {
 
 /// The material of elements of explicit dynamics: P = d psi/dF of the law with the mean dilatation of the element, plus the
-/// stress of a Maxwell branch, plus a viscous stress.
+/// stress of Maxwell branches, plus a viscous stress.
 ///
 /// The viscous Kirchhoff stress is 2 eta dev(d) with the rate of deformation d. It is objective, has no pressure part, and never
 /// adds energy.
 struct ExplicitMaterial {
   materials::HyperelasticLaw law;
   VolumetricLaw volume;
-  double viscosity_Pa_s = 0.0;  ///< eta >= 0; 0: none
-  MaxwellBranch branch{};
+  double viscosity_Pa_s = 0.0;            ///< eta >= 0; 0: none
+  std::vector<MaxwellBranch> branches{};  ///< at most most_branches, all with a modulus
 };
 
 /// Batches of trilinear elements of one material that are boxes along the axes in the reference configuration. Lanes without an
@@ -40,16 +40,17 @@ struct NodalMotion {
   const double* velocities_m_per_s = nullptr;  ///< read if there is a viscosity; nullptr: no viscous force
 };
 
-/// Numbers in the tensors of a lane: six components at eight points.
+/// Numbers in the tensors of a lane, in one set: six components at eight points.
 inline constexpr std::size_t branch_numbers_per_lane = 48;
 
-/// The tensors A of the branches (see MaxwellBranch) of some batches: 48 width numbers per batch, aligned to 64 bytes. Component
-/// c (xx, yy, zz, yz, xz, xy) of point q of lane l is at (6 q + c) width + l.
+/// The tensors A of the branches (see MaxwellBranch) of some batches: in each set (see branch_set_count) 48 width numbers per
+/// batch, aligned to 64 bytes. Component c (xx, yy, zz, yz, xz, xy) of point q of lane l is at (6 q + c) width + l.
 struct BranchTensors {
-  double* values = nullptr;  ///< nullptr: no branch acts
+  double* values = nullptr;  ///< of the first set; nullptr: no branch acts
   /// >= 0: the time by which they relax at the given deformation. Forces are those of the mean of the tensors before and after.
   /// Central differences need this mean, since one spring ends and another begins at this time.
   double relaxed_s = 0.0;
+  std::size_t sets_apart = 0;  ///< how far the same number of the next set is; not read for one branch
 };
 
 /// Results of elements other than their forces.
@@ -86,8 +87,9 @@ class ExplicitKernels {
   /// Computes for each lane of each batch the strain energy, J, with that of its branches, and the smallest volume ratio, as in
   /// ElementsOutcome. Both arrays are aligned to 64 bytes.
   /// @param branch values as in BranchTensors; nullptr: without branches
+  /// @param sets_apart see BranchTensors
   void energies(const ExplicitMaterial& material, const BoxBatches& batches, const NodalMotion& motion, const double* branch,
-                double* energies_J, double* smallest_ratios) const;
+                std::size_t sets_apart, double* energies_J, double* smallest_ratios) const;
 
  private:
   const detail::ExplicitKernelTable* table_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "fem/boxes/explicit_kernel.h"
 #include "fem/elements/pack_laws.h"
 
@@ -7,10 +9,13 @@ namespace menger::fem::detail {
 
 /// The branches of elements in a task.
 struct BranchTask {
-  double shear_modulus_Pa;
-  double share;           ///< share of the distance to rest by which they relax first, in [0, 1]
-  const double* tensors;  ///< nullptr: none
-  double* relaxing;       ///< the same tensors if they relax, otherwise nullptr
+  double shear_modulus_Pa = 0.0;  ///< of all of them
+  std::size_t count = 0;
+  std::array<double, most_branches> shear_moduli_Pa{};  ///< of each
+  std::array<double, most_branches> shares{};           ///< share of the distance to rest by which each relaxes first, in [0, 1]
+  std::size_t sets_apart = 0;                           ///< see BranchTensors
+  const double* tensors = nullptr;                      ///< the first set; nullptr: none
+  double* relaxing = nullptr;                           ///< the same tensors if they relax
 };
 
 /// Elements and their laws. Laws are given by index and address, so that the files of one instruction set need not visit

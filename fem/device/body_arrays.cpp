@@ -117,16 +117,18 @@ void BodyArrays<Number>::add_groups(const ThinWallMesh& walls, const ExplicitBod
     added.view.first_batch = group.first_batch;
     added.view.batch_count = group.batch_count;
     added.view.branch_position = branches.position(g);
-    if (material.branch.is_there()) {
-      added.view.relaxation_time_s = material.branch.relaxation_time_s;
-      counts_.branch_number_count = branches.number_count();
-    }
+    for (std::size_t n = 0; n < material.branches.size(); ++n)
+      added.view.relaxation_times_s[n] = material.branches[n].relaxation_time_s;
+    counts_.branch_set_count = std::max(counts_.branch_set_count, branch_set_count(material.branches.size()));
     const Number some_velocity(0);  // with it the task keeps the viscosity
-    added.view.task = detail::task_of<Number>(material, {}, {.velocities_m_per_s = &some_velocity}, nullptr);
+    added.view.task =
+        detail::task_of<Number>(material, {}, {.velocities_m_per_s = &some_velocity}, {nullptr, 0.0, branches.number_count()});
     added.view.task.batches.element = group.element;
     groups_.push_back(added);
   }
   counts_.group_count = groups_.size();
+  counts_.sets_apart = branches.number_count();
+  counts_.branch_number_count = counts_.branch_set_count * branches.number_count();
   const std::vector<GroupView<Number>> room(groups_.size());
   groups_at_ = add(std::span<const GroupView<Number>>(room));
 }
@@ -212,7 +214,8 @@ void BodyArrays<Number>::add_given_branches(const meshes::HexahedralMesh& mesh, 
   std::vector<std::uint32_t> of_lane;
   for (std::size_t lane = 0; lane < walls.lane_count(); ++lane) of_lane.push_back(of_element[walls.element(lane)]);
   counts_.given_apart = given_width;
-  if (counts_.branch_number_count > 0) given_branch_count_ = layout.number_count();
+  counts_.given_sets_apart = layout.number_count();
+  given_branch_count_ = counts_.branch_set_count * layout.number_count();
   given_at_ = add(std::span<const std::uint32_t>(of_lane));
 }
 

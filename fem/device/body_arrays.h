@@ -21,8 +21,8 @@ template <class Number>
 struct GroupView {
   std::size_t first_batch = 0;
   std::size_t batch_count = 0;
-  std::size_t branch_position = 0;  ///< of its first number among those of all branches
-  double relaxation_time_s = 0.0;   ///< of the branch; 0: there is none
+  std::size_t branch_position = 0;                         ///< of its first number among those of all branches
+  std::array<double, most_branches> relaxation_times_s{};  ///< of the branches
   /// Without motion and branches, which change in time; of no velocities where the material has no viscosity.
   detail::ThinWallTask<Number> task{};
 };
@@ -37,7 +37,9 @@ struct BodyView {
   std::size_t batch_count = 0;
   std::size_t group_count = 0;
   std::size_t face_batch_count = 0;
-  std::size_t branch_number_count = 0;  ///< 0: no material has a branch
+  std::size_t branch_set_count = 0;     ///< 0: no material has a branch
+  std::size_t branch_number_count = 0;  ///< of all sets
+  std::size_t sets_apart = 0;           ///< see ThinWallBranches
   bool is_viscous = false;
 
   const GroupView<Number>* groups = nullptr;
@@ -69,6 +71,7 @@ struct BodyView {
   /// The first number of the branch of each lane where the processor keeps it, and how far its numbers are apart there.
   const std::uint32_t* given_branches = nullptr;
   std::size_t given_apart = 1;
+  std::size_t given_sets_apart = 0;
   const std::uint8_t* is_repeated = nullptr;  ///< per lane, see ThinWallMesh
 };
 

@@ -117,11 +117,15 @@ class BodySteps {
         Number* own = memory_.branches + group.branch_position + count * width * b + thread_.lane();
         Number* given = memory_.given_branches + body_.given_branches[lane];
         if (!from_given && body_.is_repeated[lane] != 0) continue;
-        for (std::size_t n = 0; n < count; ++n) {
-          if constexpr (from_given) {
-            own[n * width] = given[n * body_.given_apart];
-          } else {
-            given[n * body_.given_apart] = own[n * width];
+        for (std::size_t set = 0; set < body_.branch_set_count; ++set) {
+          for (std::size_t n = 0; n < count; ++n) {
+            Number& here = own[set * body_.sets_apart + n * width];
+            Number& there = given[set * body_.given_sets_apart + n * body_.given_apart];
+            if constexpr (from_given) {
+              here = there;
+            } else {
+              there = here;
+            }
           }
         }
       }
@@ -177,11 +181,12 @@ class BodySteps {
     const std::size_t own = batch - group.first_batch;
     task.motion.displacements_m = memory_.values_m;
     if (task.viscosity_Pa_s > 0.0) task.motion.velocities_m_per_s = memory_.rates_m_per_s;
-    if (group.relaxation_time_s > 0.0) {
+    if (task.branch_count > 0) {
       task.branch = memory_.branches + group.branch_position;
       if (relaxed_s_ > 0.0) {
         task.relaxing = memory_.branches + group.branch_position;
-        task.share = -std::expm1(-relaxed_s_ / group.relaxation_time_s);
+        for (std::size_t n = 0; n < task.branch_count; ++n)
+          task.shares[n] = -std::expm1(-relaxed_s_ / group.relaxation_times_s[n]);
       }
     }
     Element element(task, own);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 namespace menger::fem {
 
 /// A Maxwell branch: a spring in series with a dashpot, in parallel with the law of a material. It resists fast motion and
@@ -25,5 +28,16 @@ struct MaxwellBranch {
 
   [[nodiscard]] bool is_there() const { return shear_modulus_Pa > 0.0; }
 };
+
+/// The most branches of one material: three follow a loss factor over a decade and a half of frequencies.
+inline constexpr std::size_t most_branches = 3;
+
+/// How many sets of numbers elements keep for branches in parallel. One branch has one. Of several, the first set is their mean,
+/// weighted by their moduli: stress is linear in A, so that the mean gives the stress of all, and forces cost what those of one
+/// branch do. Each branch has a set of its own after it, which changes where branches relax.
+constexpr std::size_t branch_set_count(std::size_t branches) { return branches > 1 ? branches + 1 : branches; }
+
+/// Returns those of some branches that have a modulus.
+std::vector<MaxwellBranch> acting(const std::vector<MaxwellBranch>& branches);
 
 }  // namespace menger::fem

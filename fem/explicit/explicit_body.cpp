@@ -28,12 +28,16 @@ void check(const meshes::HexahedralMesh& mesh, const ExplicitBodyOptions& option
       throw io::InputError(name + "density_kg_per_m3 = " + std::to_string(region.density_kg_per_m3) + ": must be > 0");
     if (!(region.material.viscosity_Pa_s >= 0.0))
       throw io::InputError(name + "viscosity_Pa_s = " + std::to_string(region.material.viscosity_Pa_s) + ": must be >= 0");
-    const MaxwellBranch& branch = region.material.branch;
-    if (!(branch.shear_modulus_Pa >= 0.0))
-      throw io::InputError(name + "shear_modulus_Pa = " + std::to_string(branch.shear_modulus_Pa) +
-                           " of the branch: must be >= 0");
-    if (branch.is_there() && !(branch.relaxation_time_s > 0.0))
-      throw io::InputError(name + "relaxation_time_s = " + std::to_string(branch.relaxation_time_s) + ": must be > 0");
+    for (const MaxwellBranch& branch : region.material.branches) {
+      if (!(branch.shear_modulus_Pa >= 0.0))
+        throw io::InputError(name + "shear_modulus_Pa = " + std::to_string(branch.shear_modulus_Pa) +
+                             " of the branch: must be >= 0");
+      if (branch.is_there() && !(branch.relaxation_time_s > 0.0))
+        throw io::InputError(name + "relaxation_time_s = " + std::to_string(branch.relaxation_time_s) + ": must be > 0");
+    }
+    if (acting(region.material.branches).size() > most_branches)
+      throw io::InputError(name + std::to_string(region.material.branches.size()) + " branches: at most " +
+                           std::to_string(most_branches));
   }
 }
 
@@ -119,8 +123,8 @@ bool ExplicitBody::is_viscous() const {
 std::optional<double> ExplicitBody::shortest_relaxation_time_s() const {
   std::optional<double> shortest;
   for (const ExplicitRegion& region : regions_) {
-    const MaxwellBranch& branch = region.material.branch;
-    if (branch.is_there()) shortest = std::min(shortest.value_or(branch.relaxation_time_s), branch.relaxation_time_s);
+    for (const MaxwellBranch& branch : acting(region.material.branches))
+      shortest = std::min(shortest.value_or(branch.relaxation_time_s), branch.relaxation_time_s);
   }
   return shortest;
 }

@@ -76,15 +76,19 @@ class ThinWallElements final : public ExplicitElements {
   [[nodiscard]] std::unique_ptr<ElementForces> make_forces() const override { return std::make_unique<Forces>(*this); }
 
   [[nodiscard]] BranchNumbers branches_at_rest(std::span<const double> displacements_m) const override {
-    const auto has_branch = [](const ThinWallMaterial& material) { return material.branch.is_there(); };
-    if (std::none_of(materials_.begin(), materials_.end(), has_branch)) return AlignedVector<Number>{};
-    AlignedVector<Number> branches(branches_.number_count(), Number(0));
+    std::size_t sets = 0;
+    for (const ThinWallMaterial& material : materials_) sets = std::max(sets, branch_set_count(material.branches.size()));
+    if (sets == 0) return AlignedVector<Number>{};
+    AlignedVector<Number> branches(sets * branches_.number_count(), Number(0));
     const AlignedVector<Number> u = converted(displacements_m);
     for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
       const ThinWallGroup& group = walls_.groups()[g];
       kernels_.rest_branches(batches(group, {group.first_batch, group.first_batch + group.batch_count}), {u.data()},
                              branches.data() + branches_.position(g));
     }
+    for (std::size_t set = 1; set < sets; ++set)
+      std::copy_n(branches.begin(), branches_.number_count(),
+                  branches.begin() + static_cast<std::ptrdiff_t>(set * branches_.number_count()));
     return branches;
   }
 
@@ -173,10 +177,10 @@ class ThinWallElements final : public ExplicitElements {
     const AlignedVector<Number> u = converted(displacements_m);
     for (std::size_t g = 0; g < walls_.groups().size(); ++g) {
       const ThinWallGroup& group = walls_.groups()[g];
-      kernels_.energies(materials_[group.region], batches(group, {group.first_batch, group.first_batch + group.batch_count}),
-                        {u.data()}, branches.empty() ? nullptr : branches.data() + branches_.position(g),
-                        result.energies_J.data() + width * group.first_batch,
-                        result.smallest_ratios.data() + width * group.first_batch);
+      kernels_.energies(
+          materials_[group.region], batches(group, {group.first_batch, group.first_batch + group.batch_count}), {u.data()},
+          {branches.empty() ? nullptr : branches.data() + branches_.position(g), 0.0, branches_.number_count()},
+          result.energies_J.data() + width * group.first_batch, result.smallest_ratios.data() + width * group.first_batch);
     }
     return result;
   }
@@ -269,7 +273,7 @@ class ThinWallElements<Number>::Forces final : public ElementForces {
         batches.face_pressures_Pa = side_pressures_Pa_.data() + 2 * first;
         batches.face_volumes_m3 = side_volumes_m3_.data() + 2 * first;
       }
-      ThinWallBranches<Number> own{nullptr, relaxed_s};
+      ThinWallBranches<Number> own{nullptr, relaxed_s, elements_.branches_.number_count()};
       if (!numbers.empty())
         own.values = numbers.data() + elements_.branches_.position(g) +
                      thin_wall_branch_numbers(group.element) * width * (first - group.first_batch);
@@ -346,7 +350,7 @@ ThinWallMaterial wall_material(const ExplicitMaterial& material, const ThinWallC
           .wall_penalty_ratio = constants.wall_penalty_ratio,
           .block_stiffness_ratio = constants.block_stiffness_ratio,
           .viscosity_Pa_s = material.viscosity_Pa_s,
-          .branch = material.branch};
+          .branches = acting(material.branches)};
 }
 
 std::unique_ptr<ExplicitElements> thin_wall_elements(const meshes::HexahedralMesh& mesh,

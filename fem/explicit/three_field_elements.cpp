@@ -21,7 +21,7 @@ class ThreeFieldForces final : public ElementForces {
 
   ForcesOutcome compute(IndexRange batches, BranchNumbers& branches, double relaxed_s) override {
     AlignedNumbers& tensors = std::get<AlignedNumbers>(branches);
-    const BranchTensors branch{tensors.empty() ? nullptr : tensors.data(), relaxed_s};
+    const BranchTensors branch{tensors.empty() ? nullptr : tensors.data(), relaxed_s, elements_.sets_apart()};
     const ElementsOutcome outcome = elements_.forces(motion_, batches, branch, slots_.data());
     return {.has_failed = !(outcome.smallest_ratio > 0.0), .dissipated_W = outcome.dissipated_W, .relaxed_J = outcome.relaxed_J};
   }
@@ -50,7 +50,9 @@ ThreeFieldElements::ThreeFieldElements(const meshes::HexahedralMesh& mesh, std::
       regions_(std::move(regions)),
       boxes_(mesh, kernels.width),
       points_(mesh.points),
-      plenum_count_(mesh.plenum_names.size()) {}
+      plenum_count_(mesh.plenum_names.size()) {
+  for (ExplicitRegion& region : regions_) region.material.branches = acting(region.material.branches);
+}
 
 std::string ThreeFieldElements::text() const { return std::string(kernels_.instruction_set); }
 
@@ -64,15 +66,16 @@ double ThreeFieldElements::contact_modulus_Pa() const {
 std::unique_ptr<ElementForces> ThreeFieldElements::make_forces() const { return std::make_unique<ThreeFieldForces>(*this); }
 
 BranchNumbers ThreeFieldElements::branches_at_rest(std::span<const double> displacements_m) const {
-  const auto has_branch = [](const ExplicitRegion& region) { return region.material.branch.is_there(); };
-  if (std::none_of(regions_.begin(), regions_.end(), has_branch)) return AlignedNumbers{};
+  std::size_t sets = 0;
+  for (const ExplicitRegion& region : regions_) sets = std::max(sets, branch_set_count(region.material.branches.size()));
+  if (sets == 0) return AlignedNumbers{};
   const std::size_t width = boxes_.width();
-  AlignedNumbers tensors(branch_position(boxes_.batch_count()), 0.0);
+  AlignedNumbers tensors(sets * sets_apart(), 0.0);
   for (std::size_t n = 0; n < tensors.size(); ++n)
     if (n / width % 6 < 3) tensors[n] = 1.0;  // any positive tensor will do: it relaxes completely
   AlignedNumbers slots(24 * width * boxes_.batch_count());
-  forces({displacements_m.data()}, {0, boxes_.batch_count()}, {tensors.data(), std::numeric_limits<double>::infinity()},
-         slots.data());
+  forces({displacements_m.data()}, {0, boxes_.batch_count()},
+         {tensors.data(), std::numeric_limits<double>::infinity(), sets_apart()}, slots.data());
   return tensors;
 }
 
@@ -95,7 +98,7 @@ ElementsOutcome ThreeFieldElements::forces(const NodalMotion& motion, IndexRange
 }
 
 ThreeFieldElements::LaneEnergies ThreeFieldElements::lane_energies(std::span<const double> displacements_m,
-                                                                   std::span<const double> branch) const {
+                                                                   const AlignedNumbers& branch) const {
   LaneEnergies result;
   result.energies_J.resize(boxes_.batch_count() * boxes_.width());
   result.smallest_ratios.resize(result.energies_J.size());
@@ -103,7 +106,7 @@ ThreeFieldElements::LaneEnergies ThreeFieldElements::lane_energies(std::span<con
     const std::size_t first = group.first_batch * boxes_.width();
     kernels_.energies(regions_[group.region].material, boxes_.batches(group.first_batch, group.batch_count),
                       {displacements_m.data()}, branch.empty() ? nullptr : branch.data() + branch_position(group.first_batch),
-                      result.energies_J.data() + first, result.smallest_ratios.data() + first);
+                      sets_apart(), result.energies_J.data() + first, result.smallest_ratios.data() + first);
   }
   return result;
 }

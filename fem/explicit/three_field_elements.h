@@ -37,13 +37,15 @@ class ThreeFieldElements final : public ExplicitElements {
   /// ExplicitKernels::forces).
   /// @param branch of all batches
   ElementsOutcome forces(const NodalMotion& motion, IndexRange batches, const BranchTensors& branch, double* slots_N) const;
+  /// See BranchTensors.
+  [[nodiscard]] std::size_t sets_apart() const { return branch_position(boxes_.batch_count()); }
 
  private:
   struct LaneEnergies {
     AlignedNumbers energies_J;  ///< per lane
     AlignedNumbers smallest_ratios;
   };
-  [[nodiscard]] LaneEnergies lane_energies(std::span<const double> displacements_m, std::span<const double> branch) const;
+  [[nodiscard]] LaneEnergies lane_energies(std::span<const double> displacements_m, const AlignedNumbers& branch) const;
   [[nodiscard]] std::size_t branch_position(std::size_t batch) const { return branch_numbers_per_lane * boxes_.width() * batch; }
 
   ExplicitKernels kernels_;

@@ -103,11 +103,14 @@ class BlockElement {
     T sum = fma(T(0.5 * task_.block_stiffness_Pa) * gradient_.ratio_excess, gradient_.ratio_excess, response.energy);
     sum = sum + quadratic_energy(strains_);
     if (branch == nullptr) return volume_ * sum;
-    BlockBranch<T> state;
-    state.load(branch);
-    const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
-    const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
-    return volume_ * fma(T(task_.branch_ratio), stored, sum);
+    for_each_branch(task_, branch, [&](std::size_t n, const Number* own) {
+      BlockBranch<T> state;
+      state.load(own);
+      const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
+      const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
+      sum = fma(T(task_.branch_ratios[n]), stored, sum);
+    });
+    return volume_ * sum;
   }
 
   [[nodiscard]] MENGER_HOST_DEVICE BlockBranch<T> rest() const {
@@ -118,17 +121,25 @@ class BlockElement {
         true, {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2]), dot(n[1], n[2]), dot(n[0], n[2]), dot(n[0], n[1])}, strains_};
   }
 
+  [[nodiscard]] MENGER_HOST_DEVICE BlockBranch<T> load_branch(const Number* values) const {
+    BlockBranch<T> branch;
+    branch.load(values);
+    return branch;
+  }
+
   MENGER_HOST_DEVICE BlockBranch<T> relax(Number* values) {
-    BlockBranch<T> before;
-    before.load(values);
-    const BlockBranch<T> after = before.moved_to(rest(), T(task_.share));
-    after.store(values);
-    const T fall =
-        (contraction(before.tensor) - contraction(after.tensor)) + log(determinant(after.tensor) / determinant(before.tensor));
-    T released = fma(T(0.5) * mu_, fall, quadratic_energy(difference(strains_, before.strains)));
-    released = released - quadratic_energy(difference(strains_, after.strains));
-    relaxed_ = volume_ * T(task_.branch_ratio) * released;
-    return before.moved_to(after, T(0.5));
+    return relax_all<BlockBranch<T>, T>(task_, values, rest(), [&](std::size_t n, Number* own, const BlockBranch<T>& rest) {
+      BlockBranch<T> before;
+      before.load(own);
+      const BlockBranch<T> after = before.moved_to(rest, T(task_.shares[n]));
+      after.store(own);
+      const T fall =
+          (contraction(before.tensor) - contraction(after.tensor)) + log(determinant(after.tensor) / determinant(before.tensor));
+      T released = fma(T(0.5) * mu_, fall, quadratic_energy(difference(strains_, before.strains)));
+      released = released - quadratic_energy(difference(strains_, after.strains));
+      relaxed_ = fma(volume_ * T(task_.branch_ratios[n]), released, relaxed_);
+      return before.moved_to(after, T(0.5));
+    });
   }
 
   MENGER_HOST_DEVICE void press_faces(std::size_t) {}

@@ -24,6 +24,19 @@ MENGER_HOST_DEVICE std::array<T, n> between(const std::array<T, n>& a, const std
   return result;
 }
 
+/// sum + share a
+template <class T, std::size_t n>
+MENGER_HOST_DEVICE void add_share(std::array<T, n>& sum, const T& share, const std::array<T, n>& a) {
+  for (std::size_t i = 0; i < n; ++i) sum[i] = fma(share, a[i], sum[i]);
+}
+
+template <class T, std::size_t n>
+MENGER_HOST_DEVICE std::array<T, n> zeros() {
+  std::array<T, n> result;
+  for (std::size_t i = 0; i < n; ++i) result[i] = T(0.0);
+  return result;
+}
+
 template <class T, std::size_t n>
 MENGER_HOST_DEVICE void load_numbers(const NumberOf<T>* numbers, std::array<T, n>& values) {
   for (std::size_t i = 0; i < n; ++i) values[i] = Lanes<T>::load(numbers + i * Lanes<T>::count);
@@ -62,6 +75,14 @@ struct WallBranch {
             between(shears, other.shears, share),
             between(strains, other.strains, share)};
   }
+  [[nodiscard]] MENGER_HOST_DEVICE static WallBranch zero() {
+    return {true, {zeros<T, 4>(), zeros<T, 4>()}, zeros<T, 2>(), zeros<T, 9>()};
+  }
+  MENGER_HOST_DEVICE void add(const T& share, const WallBranch& other) {
+    for (std::size_t z = 0; z < 2; ++z) add_share(tensors[z], share, other.tensors[z]);
+    add_share(shears, share, other.shears);
+    add_share(strains, share, other.strains);
+  }
 };
 
 /// Where the branch of a block is at rest.
@@ -82,6 +103,40 @@ struct BlockBranch {
   [[nodiscard]] MENGER_HOST_DEVICE BlockBranch moved_to(const BlockBranch& other, const T& share) const {
     return {true, between(tensor, other.tensor, share), between(strains, other.strains, share)};
   }
+  [[nodiscard]] MENGER_HOST_DEVICE static BlockBranch zero() { return {true, zeros<T, 6>(), zeros<T, 12>()}; }
+  MENGER_HOST_DEVICE void add(const T& share, const BlockBranch& other) {
+    add_share(tensor, share, other.tensor);
+    add_share(strains, share, other.strains);
+  }
 };
+
+/// Lets the branches of elements go their shares of the way to rest.
+/// @param values of their first set, changed as all sets are
+/// @param relax_one lets one branch go: called with its number, its values and where it rests, returns its mean of before and
+/// after
+/// @return the mean of before and after, over all branches by their moduli
+template <class Branch, class T, class Task, class Number, class RelaxOne>
+MENGER_HOST_DEVICE Branch relax_all(const Task& task, Number* values, const Branch& rest, const RelaxOne& relax_one) {
+  if (task.branch_count == 1) return relax_one(std::size_t{0}, values, rest);
+  Branch after = Branch::zero();
+  Branch mean = Branch::zero();
+  for (std::size_t n = 0; n < task.branch_count; ++n) {
+    Number* own = values + (n + 1) * task.sets_apart;
+    const T weight = T(task.branch_ratios[n] / task.branch_ratio);
+    mean.add(weight, relax_one(n, own, rest));
+    Branch here;
+    here.load(own);
+    after.add(weight, here);
+  }
+  after.store(values);
+  return mean;
+}
+
+/// Calls `use(n, values)` with the values of each branch.
+template <class Task, class Number, class Use>
+MENGER_HOST_DEVICE void for_each_branch(const Task& task, const Number* values, const Use& use) {
+  for (std::size_t n = 0; n < task.branch_count; ++n)
+    use(n, task.branch_count == 1 ? values : values + (n + 1) * task.sets_apart);
+}
 
 }  // namespace menger::fem::detail

@@ -53,7 +53,7 @@ MENGER_HOST_DEVICE void compute_element_forces(const ThinWallTask<typename Eleme
     if (task.relaxing != nullptr) {
       branch = elements.relax(branch_of<Element>(task.relaxing, batch));
     } else if (branch.is_there) {
-      branch.load(branch_of<Element>(task.branch, batch));
+      branch = elements.load_branch(branch_of<Element>(task.branch, batch));
     }
   }
   elements.template compute_forces<is_damped>(law, branch);

@@ -11,29 +11,41 @@ namespace detail {
 
 template <class Number>
 ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
-                             const ThinWallMotion<Number>& motion, const Number* branch) {
+                             const ThinWallMotion<Number>& motion, const ThinWallBranches<const Number>& branches) {
   const double mu = materials::shear_modulus_at_rest_Pa(material.law);
   const double viscosity_Pa_s = motion.velocities_m_per_s == nullptr ? 0.0 : material.viscosity_Pa_s;
-  return {reference_to(material.law),
-          mu,
-          material.bulk_modulus_Pa,
-          material.wall_penalty_ratio * mu,
-          material.block_stiffness_ratio * mu,
-          viscosity_Pa_s,
-          material.branch.shear_modulus_Pa,
-          material.branch.shear_modulus_Pa / mu,
-          viscosity_Pa_s / mu,
-          0.0,
-          material.branch.is_there() ? branch : nullptr,
-          nullptr,
-          batches,
-          motion};
+  ThinWallTask<Number> task{.law = reference_to(material.law),
+                            .shear_modulus_Pa = mu,
+                            .bulk_modulus_Pa = material.bulk_modulus_Pa,
+                            .wall_penalty_Pa = material.wall_penalty_ratio * mu,
+                            .block_stiffness_Pa = material.block_stiffness_ratio * mu,
+                            .viscosity_Pa_s = viscosity_Pa_s,
+                            .viscous_time_s = viscosity_Pa_s / mu,
+                            .branch_modulus_Pa = 0.0,
+                            .branch_ratio = 0.0,
+                            .branch_count = material.branches.size(),
+                            .branch_moduli_Pa = {},
+                            .branch_ratios = {},
+                            .shares = {},
+                            .sets_apart = branches.sets_apart,
+                            .branch = material.branches.empty() ? nullptr : branches.values,
+                            .relaxing = nullptr,
+                            .batches = batches,
+                            .motion = motion};
+  assert(material.branches.size() <= most_branches);
+  for (std::size_t n = 0; n < material.branches.size(); ++n) {
+    task.branch_modulus_Pa += material.branches[n].shear_modulus_Pa;
+    task.branch_moduli_Pa[n] = material.branches[n].shear_modulus_Pa;
+    task.branch_ratios[n] = material.branches[n].shear_modulus_Pa / mu;
+  }
+  task.branch_ratio = task.branch_modulus_Pa / mu;
+  return task;
 }
 
 template ThinWallTask<double> task_of(const ThinWallMaterial&, const ThinWallBatches<double>&, const ThinWallMotion<double>&,
-                                      const double*);
+                                      const ThinWallBranches<const double>&);
 template ThinWallTask<float> task_of(const ThinWallMaterial&, const ThinWallBatches<float>&, const ThinWallMotion<float>&,
-                                     const float*);
+                                     const ThinWallBranches<const float>&);
 
 }  // namespace detail
 
@@ -84,9 +96,10 @@ template <class Number>
 ThinWallOutcome ThinWallKernels<Number>::forces(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
                                                 const ThinWallMotion<Number>& motion, const ThinWallBranches<Number>& branches,
                                                 Number* slots_N) const {
-  ThinWallTask<Number> task = task_of<Number>(material, batches, motion, branches.values);
+  ThinWallTask<Number> task = task_of<Number>(material, batches, motion, {branches.values, 0.0, branches.sets_apart});
   if (task.branch != nullptr && branches.relaxed_s > 0.0) {
-    task.share = -std::expm1(-branches.relaxed_s / material.branch.relaxation_time_s);
+    for (std::size_t n = 0; n < material.branches.size(); ++n)
+      task.shares[n] = -std::expm1(-branches.relaxed_s / material.branches[n].relaxation_time_s);
     task.relaxing = branches.values;
   }
   return table_->forces(task, slots_N);
@@ -94,16 +107,16 @@ ThinWallOutcome ThinWallKernels<Number>::forces(const ThinWallMaterial& material
 
 template <class Number>
 void ThinWallKernels<Number>::energies(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
-                                       const ThinWallMotion<Number>& motion, const Number* branch, Number* energies_J,
-                                       Number* smallest_ratios) const {
-  table_->energies(task_of<Number>(material, batches, motion, branch), energies_J, smallest_ratios);
+                                       const ThinWallMotion<Number>& motion, const ThinWallBranches<const Number>& branches,
+                                       Number* energies_J, Number* smallest_ratios) const {
+  table_->energies(task_of<Number>(material, batches, motion, branches), energies_J, smallest_ratios);
 }
 
 template <class Number>
 void ThinWallKernels<Number>::rest_branches(const ThinWallBatches<Number>& batches, const ThinWallMotion<Number>& motion,
                                             Number* branch) const {
   const ThinWallMaterial any{.law = materials::NeoHookean{1.0}, .bulk_modulus_Pa = 1.0};
-  table_->rest_branches(task_of<Number>(any, batches, motion, nullptr), branch);
+  table_->rest_branches(task_of<Number>(any, batches, motion, {}), branch);
 }
 
 template class ThinWallKernels<double>;

@@ -30,11 +30,11 @@ enum class ThinWallElement {
 /// @cite belytschko1993assumed @cite macneal1978simple @cite schwarze2009reduced @cite schwarze2011reduced
 struct ThinWallMaterial {
   materials::HyperelasticLaw law;
-  double bulk_modulus_Pa = 0.0;        ///< kappa > 0 of the silicone, which the membrane of walls has in full
-  double wall_penalty_ratio = 4.0;     ///< kappa' / mu > 0: keeps the volume of walls, by their thickness; softer than kappa
-  double block_stiffness_ratio = 5.0;  ///< lambda / mu > 0 of blocks
-  double viscosity_Pa_s = 0.0;         ///< eta >= 0 of a Kelvin-Voigt solid; 0: none
-  MaxwellBranch branch{};
+  double bulk_modulus_Pa = 0.0;           ///< kappa > 0 of the silicone, which the membrane of walls has in full
+  double wall_penalty_ratio = 4.0;        ///< kappa' / mu > 0: keeps the volume of walls, by their thickness; softer than kappa
+  double block_stiffness_ratio = 5.0;     ///< lambda / mu > 0 of blocks
+  double viscosity_Pa_s = 0.0;            ///< eta >= 0 of a Kelvin-Voigt solid; 0: none
+  std::vector<MaxwellBranch> branches{};  ///< at most most_branches, all with a modulus
 };
 
 /// Numbers of the shape of one element; see shape_of.
@@ -43,7 +43,7 @@ inline constexpr std::size_t shape_numbers_per_lane = 6;
 /// Numbers of the forces of one element: four for each corner, of which the last is zero.
 inline constexpr std::size_t slot_numbers_per_lane = 32;
 
-/// Numbers of the Maxwell branch of one element.
+/// Numbers of one set of Maxwell branches of one element.
 ///
 /// Of a wall: the tensor A at two points across it (11, 22, 12, 33), the two transverse shears and nine hourglass strains at
 /// which the branch is at rest. Of a block: A (11, 22, 33, 23, 13, 12) and twelve hourglass strains.
@@ -97,11 +97,12 @@ struct ThinWallMotion {
   const Number* velocities_m_per_s = nullptr;  ///< read where there is a viscosity; nullptr: no viscous force
 };
 
-/// Branches of batches, thin_wall_branch_numbers; see BranchTensors of explicit dynamics.
+/// Branches of batches, thin_wall_branch_numbers in each set; see branch_set_count, and BranchTensors of explicit dynamics.
 template <class Number>
 struct ThinWallBranches {
-  Number* values = nullptr;  ///< nullptr: no branch acts
-  double relaxed_s = 0.0;    ///< >= 0, the time by which they relax before they act; forces are those of the mean
+  Number* values = nullptr;    ///< of the first set; nullptr: no branch acts
+  double relaxed_s = 0.0;      ///< >= 0, the time by which they relax before they act; forces are those of the mean
+  std::size_t sets_apart = 0;  ///< how far the same number of the next set is; not read for one branch
 };
 
 /// What elements say besides their forces.
@@ -146,7 +147,7 @@ struct ThinWallTable;
 /// f_i.H_i + c_i f_j.H_j give E / (6 (1 - nu^2)) (x^2 + y^2 + 2 nu x y) + mu g^2 / 6, and the last pattern E/18 sum (c_i
 /// f_i.H4)^2, with E = 2 mu (1 + nu) and nu = 0.49.
 ///
-/// With a branch of modulus m, shares m / mu of everything but the penalties respond to the difference to its rest (see
+/// With branches of modulus m, shares m / mu of everything but the penalties respond to the difference to their rest (see
 /// MaxwellBranch); the membrane's part is incompressible. With a viscosity eta, eta / mu of them respond to the rate; the
 /// membrane and the block's centre have the Kirchhoff stress 2 eta dev(d).
 template <class Number>
@@ -170,12 +171,12 @@ class ThinWallKernels {
                                        const ThinWallMotion<Number>& motion, const ThinWallBranches<Number>& branches,
                                        Number* slots_N) const;
 
-  /// Energy of each lane, J, with that of its branch and of the pressures' term, and its smallest ratio.
-  /// @param branch values, nullptr: without them
+  /// Energy of each lane, J, with that of its branches and of the pressures' term, and its smallest ratio.
+  /// @param branches do not relax
   void energies(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches, const ThinWallMotion<Number>& motion,
-                const Number* branch, Number* energies_J, Number* smallest_ratios) const;
+                const ThinWallBranches<const Number>& branches, Number* energies_J, Number* smallest_ratios) const;
 
-  /// Branches that are at rest at the displacements.
+  /// One set of branches that are at rest at the displacements: each of them and their mean.
   void rest_branches(const ThinWallBatches<Number>& batches, const ThinWallMotion<Number>& motion, Number* branch) const;
 
  private:

@@ -18,20 +18,24 @@ struct ThinWallTask {
   double wall_penalty_Pa;     ///< kappa'
   double block_stiffness_Pa;  ///< lambda
   double viscosity_Pa_s;      ///< 0 where there are no velocities
-  double branch_modulus_Pa;
-  double branch_ratio;    ///< branch_modulus_Pa / shear_modulus_Pa
-  double viscous_time_s;  ///< viscosity_Pa_s / shear_modulus_Pa
-  double share;           ///< of the way to rest that branches go before they act, in [0, 1]
-  const Number* branch;   ///< nullptr: none
-  Number* relaxing;       ///< the same where they go a part of it
+  double viscous_time_s;      ///< viscosity_Pa_s / shear_modulus_Pa
+  double branch_modulus_Pa;   ///< of all branches
+  double branch_ratio;        ///< branch_modulus_Pa / shear_modulus_Pa
+  std::size_t branch_count;
+  std::array<double, most_branches> branch_moduli_Pa;  ///< of each branch
+  std::array<double, most_branches> branch_ratios;
+  std::array<double, most_branches> shares;  ///< of the way to rest that each goes before they act, in [0, 1]
+  std::size_t sets_apart;                    ///< see ThinWallBranches
+  const Number* branch;                      ///< the first set; nullptr: none
+  Number* relaxing;                          ///< the same where they go a part of the way
   ThinWallBatches<Number> batches;
   ThinWallMotion<Number> motion;
 };
 
-/// Returns the task of computing elements, which keeps references to the material. @param branch nullptr: none acts
+/// Returns the task of computing elements, which keeps references to the material. @param branches do not relax
 template <class Number>
 ThinWallTask<Number> task_of(const ThinWallMaterial& material, const ThinWallBatches<Number>& batches,
-                             const ThinWallMotion<Number>& motion, const Number* branch);
+                             const ThinWallMotion<Number>& motion, const ThinWallBranches<const Number>& branches);
 
 /// The functions of one instruction set.
 template <class Number>

@@ -51,7 +51,7 @@ ThinWallBatches<double> ThinWallStiffness::batches() const {
 }
 
 void ThinWallStiffness::compute_energies(const ThinWallMaterial& material) {
-  kernels_.energies(material, batches(), {displacements_.data()}, nullptr, energies_.data(), ratios_.data());
+  kernels_.energies(material, batches(), {displacements_.data()}, {}, energies_.data(), ratios_.data());
 }
 
 void ThinWallStiffness::call_forces(const ThinWallMaterial& material) {

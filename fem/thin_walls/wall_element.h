@@ -170,15 +170,18 @@ class WallElement {
     sum = sum + quadratic_energy(shears_, strains_);
     sum = fma(ratio_excess_, fms(T(0.5 * task_.wall_penalty_Pa), ratio_excess_, pressure_), sum);
     if (branch == nullptr) return volume_ * sum;
-    WallBranch<T> state;
-    state.load(branch);
-    T stored(0.0);
-    for (std::size_t z = 0; z < 2; ++z) {
-      const T change = membrane_contraction(state.tensors[z], points_[z]) - log(determinant(state.tensors[z]));
-      stored = fma(T(0.25) * mu_, change, stored);  // m/2 of half the volume, below
-    }
-    stored = stored + quadratic_energy(difference(shears_, state.shears), difference(strains_, state.strains));
-    return volume_ * fma(T(task_.branch_ratio), stored, sum);
+    for_each_branch(task_, branch, [&](std::size_t n, const Number* own) {
+      WallBranch<T> state;
+      state.load(own);
+      T stored(0.0);
+      for (std::size_t z = 0; z < 2; ++z) {
+        const T change = membrane_contraction(state.tensors[z], points_[z]) - log(determinant(state.tensors[z]));
+        stored = fma(T(0.25) * mu_, change, stored);  // m/2 of half the volume, below
+      }
+      stored = stored + quadratic_energy(difference(shears_, state.shears), difference(strains_, state.strains));
+      sum = fma(T(task_.branch_ratios[n]), stored, sum);
+    });
+    return volume_ * sum;
   }
 
   /// Where the branch would be at rest.
@@ -194,22 +197,35 @@ class WallElement {
     return rest;
   }
 
-  /// Lets the branch go a share of the way to rest. @param values of the branch, changed @return the mean of before and after
+  /// @param values of the first set @return the mean of all branches
+  [[nodiscard]] MENGER_HOST_DEVICE WallBranch<T> load_branch(const Number* values) {
+    WallBranch<T> branch;
+    branch.load(values);
+    for (std::size_t n = 0; task_.branch_count > 1 && n < task_.branch_count; ++n)
+      load_numbers(values + (n + 1) * task_.sets_apart + 8 * Lanes<T>::count, shear_rests_[n]);
+    return branch;
+  }
+
+  /// Lets branches go their shares of the way to rest. @param values of the first set, changed @return the mean of before and
+  /// after
   MENGER_HOST_DEVICE WallBranch<T> relax(Number* values) {
-    const T share = T(task_.share);
-    WallBranch<T> before;
-    before.load(values);
-    const WallBranch<T> after = before.moved_to(rest(), share);
-    after.store(values);
-    T released(0.0);
-    for (std::size_t z = 0; z < 2; ++z) {
-      const T fall = membrane_contraction(before.tensors[z], points_[z]) - membrane_contraction(after.tensors[z], points_[z]);
-      released = fma(T(0.25) * mu_, fall + log(determinant(after.tensors[z]) / determinant(before.tensors[z])), released);
-    }
-    released = released + quadratic_energy(difference(shears_, before.shears), difference(strains_, before.strains));
-    released = released - quadratic_energy(difference(shears_, after.shears), difference(strains_, after.strains));
-    relaxed_ = volume_ * T(task_.branch_ratio) * released;
-    return before.moved_to(after, T(0.5));
+    return relax_all<WallBranch<T>, T>(task_, values, rest(), [&](std::size_t n, Number* own, const WallBranch<T>& rest) {
+      WallBranch<T> before;
+      before.load(own);
+      const WallBranch<T> after = before.moved_to(rest, T(task_.shares[n]));
+      after.store(own);
+      T released(0.0);
+      for (std::size_t z = 0; z < 2; ++z) {
+        const T fall = membrane_contraction(before.tensors[z], points_[z]) - membrane_contraction(after.tensors[z], points_[z]);
+        released = fma(T(0.25) * mu_, fall + log(determinant(after.tensors[z]) / determinant(before.tensors[z])), released);
+      }
+      released = released + quadratic_energy(difference(shears_, before.shears), difference(strains_, before.strains));
+      released = released - quadratic_energy(difference(shears_, after.shears), difference(strains_, after.strains));
+      relaxed_ = fma(volume_ * T(task_.branch_ratios[n]), released, relaxed_);
+      const WallBranch<T> mean = before.moved_to(after, T(0.5));
+      shear_rests_[n] = mean.shears;
+      return mean;
+    });
   }
 
   [[nodiscard]] MENGER_HOST_DEVICE T dissipation() const { return dissipation_; }
@@ -318,7 +334,13 @@ class WallElement {
     const T ratio = T(task_.branch_ratio);
     for (std::size_t n = 0; n < 9; ++n) strains[n] = fma(ratio, strains_[n] - branch.strains[n], strains[n]);
     branch_metric_ = {};
-    add_shear(T(shear_factor) * modulus, difference(shears_, branch.shears), branch_metric_);
+    if (task_.branch_count == 1) {
+      add_shear(T(shear_factor) * modulus, difference(shears_, branch.shears), branch_metric_);
+      return;
+    }
+    // Shear energy has its metric in squares of shears, so each branch counts by itself.
+    for (std::size_t n = 0; n < task_.branch_count; ++n)
+      add_shear(T(shear_factor) * T(task_.branch_moduli_Pa[n]), difference(shears_, shear_rests_[n]), branch_metric_);
   }
 
   MENGER_HOST_DEVICE void add_viscosity(std::array<PlaneStress<T>, 2>& stresses, WallStrains<T>& strains) {
@@ -475,6 +497,7 @@ class WallElement {
   WallStrains<T> strains_;
   std::array<T, 2> shear_forces_;
   PlaneStress<T> branch_metric_;
+  std::array<std::array<T, 2>, most_branches> shear_rests_;  ///< of each of several branches
   std::array<Vector3<T>, 3> column_forces_;
   std::array<Vector3<T>, 4> pattern_forces_;
   /// Of the pressure on faces: along the first two axes beside what column_forces_ become, and the resultant.

@@ -79,6 +79,15 @@ void check(const WalkSilicone& silicone) {
   const double loss = silicone.loss_factor.value_or(0.0);
   demand(loss >= 0.0, "material.loss_factor", loss, "must be >= 0");
   demand(silicone.loss_frequency_Hz > 0.0, "material.loss_frequency_Hz", silicone.loss_frequency_Hz, "must be > 0");
+  if (!silicone.loss_factors) return;
+  const std::vector<double>& frequencies_Hz = silicone.loss_frequencies_Hz;
+  const auto count = static_cast<double>(frequencies_Hz.size());
+  demand(!frequencies_Hz.empty() && frequencies_Hz.size() == silicone.loss_factors->size(), "material.loss_frequencies_Hz", count,
+         "there must be as many as loss_factors");
+  demand(std::ranges::is_sorted(frequencies_Hz) && frequencies_Hz.front() > 0.0, "material.loss_frequencies_Hz",
+         frequencies_Hz.front(), "must be > 0 and ascend");
+  demand(std::ranges::all_of(*silicone.loss_factors, [](double factor) { return factor > 0.0; }), "material.loss_factors", count,
+         "must be > 0");
 }
 
 void check(const SurrogateDrive& drive) {
@@ -142,7 +151,7 @@ ExplicitBodyOptions body_options(const PreparedWalk& walk) {
   ExplicitBodyOptions options;
   const WalkMaterial& material = walk.material;
   const ExplicitMaterial elements{material.law, materials::SimoTaylorVolume{material.bulk_modulus_Pa}, material.viscosity_Pa_s,
-                                  material.branch};
+                                  material.branches};
   options.regions.assign(walk.mesh.region_names.size(), {elements, material.density_kg_per_m3});
   if (walk.elements.kind == ElementKind::thin_wall)
     options.elements = ThinWallOptions{.precision = walk.elements.precision, .constants = ThinWallConstants{}};

@@ -1,5 +1,8 @@
 #include "fem/walk/walk_silicone_file.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace menger::fem {
 namespace {
 
@@ -34,12 +37,28 @@ void describe(io::StudyVisitor& visitor, WalkSilicone& silicone) {
   visitor.only_if(silicone.loss_factor.has_value(), "loss_factor", [&] {
     visitor.number({"loss_frequency_Hz", "Frequency of the loss factor.", "30"}, silicone.loss_frequency_Hz, io::positive());
   });
-  visitor.optional_word(
-      {"damping_model",
-       "maxwell: a branch that damps most at one frequency; kelvin_voigt: a viscosity that damps more the faster "
-       "the motion is. If not given: maxwell for explicit dynamics. Implicit dynamics has only kelvin_voigt.",
-       "\"kelvin_voigt\""},
-      silicone.damping_model, {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
+  visitor.optional_numbers({"loss_factors",
+                            "Loss factors of small shear at several frequencies, which Maxwell branches follow. They replace the "
+                            "silicone's.",
+                            "[0.06, 0.11, 0.15]"},
+                           silicone.loss_factors, io::positive(), {.fewest = 2});
+  visitor.only_if(silicone.loss_factors.has_value(), "loss_factors", [&] {
+    visitor.numbers({"loss_frequencies_Hz", "Frequencies of the loss factors, which ascend.", "[1, 10, 30]"},
+                    silicone.loss_frequencies_Hz, io::positive(), {.fewest = 2});
+    visitor.check(!silicone.loss_factors || silicone.loss_frequencies_Hz.size() == silicone.loss_factors->size(),
+                  "loss_frequencies_Hz", "must have as many values as loss_factors");
+    visitor.check(std::ranges::adjacent_find(silicone.loss_frequencies_Hz, std::ranges::greater_equal{}) ==
+                      silicone.loss_frequencies_Hz.end(),
+                  "loss_frequencies_Hz", "must ascend");
+  });
+  visitor.check(!silicone.loss_factor || !silicone.loss_factors, "loss_factors", "cannot stand beside loss_factor");
+  visitor.optional_word({"damping_model",
+                         "maxwell: a branch that damps most at one frequency, or branches that follow the loss factors; "
+                         "kelvin_voigt: a viscosity that damps more the faster "
+                         "the motion is. If not given: maxwell for explicit dynamics. Implicit dynamics has only kelvin_voigt.",
+                         "\"kelvin_voigt\""},
+                        silicone.damping_model,
+                        {{"maxwell", DampingModel::maxwell}, {"kelvin_voigt", DampingModel::kelvin_voigt}});
   const io::TomlTable* table = visitor.source();
   if (table == nullptr) return;
   silicone.is_ratio_assumed = !table->has("bulk_modulus_ratio");

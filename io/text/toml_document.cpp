@@ -177,6 +177,11 @@ bool TomlTable::is_array_of_tables(std::string_view key) const {
   return node != nullptr && node->is_array_of_tables();
 }
 
+bool TomlTable::is_array(std::string_view key) const {
+  const toml::node* node = node_->table->get(key);
+  return node != nullptr && node->is_array();
+}
+
 bool TomlTable::is_text(std::string_view key) const {
   const toml::node* node = node_->table->get(key);
   return node != nullptr && node->is_string();

@@ -84,6 +84,7 @@ class TomlTable {
   bool has(std::string_view key) const;       ///< does not count as asking for the key
   bool is_text(std::string_view key) const;   ///< whether the value is a string; does not count as asking for the key
   bool is_table(std::string_view key) const;  ///< whether the value is a table; does not count as asking for the key
+  bool is_array(std::string_view key) const;  ///< whether the value is an array; does not count as asking for the key
   /// Whether the value is an array of tables; does not count as asking for the key.
   bool is_array_of_tables(std::string_view key) const;
   bool asks_for(std::string_view key) const;  ///< whether the key exists; counts as asking for the key

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <utility>
 
 #include "io/text/toml_document.h"
 #include "materials/laws/law_file.h"
@@ -37,14 +39,36 @@ SourcedLaw read_sourced_law(const io::TomlTable& table) {
 }
 
 LossData read_loss(const io::TomlTable& table) {
-  LossData loss;
-  loss.source = read_filled(table, "source");
-  loss.tan_delta = table.number("tan_delta", io::positive());
-  loss.frequency_Hz = table.number("frequency_Hz", io::positive());
-  return loss;
+  const auto one_or_more = [&](const char* key) {
+    return table.is_array(key) ? table.numbers(key, io::positive()) : std::vector{table.number(key, io::positive())};
+  };
+  const std::vector<double> tan_deltas = one_or_more("tan_delta");
+  const std::vector<double> frequencies_Hz = one_or_more("frequency_Hz");
+  if (tan_deltas.empty()) throw table.error("tan_delta", "must have a value");
+  if (frequencies_Hz.size() != tan_deltas.size())
+    throw table.error("frequency_Hz", "must have as many values as tan_delta: " + std::to_string(tan_deltas.size()));
+  if (std::ranges::adjacent_find(frequencies_Hz, std::ranges::greater_equal{}) != frequencies_Hz.end())
+    throw table.error("frequency_Hz", "must ascend");
+  std::vector<LossPoint> points;
+  for (std::size_t n = 0; n < tan_deltas.size(); ++n) points.push_back({tan_deltas[n], frequencies_Hz[n]});
+  return loss_data(read_filled(table, "source"), std::move(points));
 }
 
 }  // namespace
+
+std::vector<LossPoint> LossData::points() const {
+  std::vector<LossPoint> all = at_lower;
+  all.push_back({tan_delta, frequency_Hz});
+  return all;
+}
+
+LossData loss_data(std::string source, std::vector<LossPoint> points) {
+  assert(!points.empty());
+  const LossPoint last = points.back();
+  points.pop_back();
+  return {
+      .source = std::move(source), .tan_delta = last.tan_delta, .frequency_Hz = last.frequency_Hz, .at_lower = std::move(points)};
+}
 
 std::pair<SourcedLaw, SourcedLaw> softest_and_stiffest(std::span<const SourcedLaw> laws) {
   assert(!laws.empty());

@@ -32,12 +32,27 @@ struct SourcedLaw {
 /// Returns the laws of the least and of the largest shear modulus at rest. Precondition: there is one at least.
 std::pair<SourcedLaw, SourcedLaw> softest_and_stiffest(std::span<const SourcedLaw> laws);
 
+/// A loss factor of small strain at one frequency.
+struct LossPoint {
+  double tan_delta = 0.0;     ///< loss modulus divided by storage modulus, > 0
+  double frequency_Hz = 0.0;  ///< > 0
+
+  bool operator==(const LossPoint&) const = default;
+};
+
 /// The damping of the cured silicone in vibration, from a dynamic test at small strain.
 struct LossData {
   std::string source;
-  double tan_delta = 0.0;     ///< loss modulus divided by storage modulus, > 0
-  double frequency_Hz = 0.0;  ///< frequency of the test, > 0
+  double tan_delta = 0.0;             ///< loss modulus divided by storage modulus, > 0
+  double frequency_Hz = 0.0;          ///< frequency of the test, > 0; of several the highest
+  std::vector<LossPoint> at_lower{};  ///< loss factors at lower frequencies, which ascend
+
+  /// All of them, by ascending frequency.
+  [[nodiscard]] std::vector<LossPoint> points() const;
 };
+
+/// Returns data of several frequencies. Precondition: there is one at least, and they ascend.
+LossData loss_data(std::string source, std::vector<LossPoint> points);
 
 /// A silicone: a file of materials/data, in which every number has a source.
 struct SiliconeRecord {

@@ -15,13 +15,6 @@ constexpr double known_shear_modulus_Pa = 86.7e3;
 constexpr double known_slenderness = 2.0 / 6.0;  ///< wall thickness over span
 constexpr double known_drive_Pa = 6000.0;
 
-/// Returns a law with its source, without the details that follow a comma or a bracket: "ogden1, Soft Robotics Materials
-/// Database".
-std::string named_law(const materials::SourcedLaw& sourced) {
-  const std::size_t end = std::min({sourced.source.find(" ("), sourced.source.find(", "), sourced.source.find(';')});
-  return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
-}
-
 }  // namespace
 
 std::string_view to_string(RobotDrive drive) {
@@ -84,6 +77,11 @@ double scaled_pressure_Pa(const Robot& robot, double pressure_Pa) {
 
 std::array<double, 2> drive_pressure_Pa(const Robot& robot) {
   return robot.pressure_Pa.value_or(std::array{0.0, scaled_pressure_Pa(robot, known_drive_Pa)});
+}
+
+std::string named_law(const materials::SourcedLaw& sourced) {
+  const std::size_t end = std::min({sourced.source.find(" ("), sourced.source.find(", "), sourced.source.find(';')});
+  return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
 }
 
 std::string law_summary_of(const Robot& robot) {

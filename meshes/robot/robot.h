@@ -92,6 +92,10 @@ double two_digits(double value);
 /// Returns the robot in one sentence for people: body, cells, walls, silicone, chambers and drive.
 std::string summary_of(const Robot& robot);
 
+/// Returns a law with its source, without the details that follow a comma or a bracket: "ogden1, Soft Robotics Materials
+/// Database".
+std::string named_law(const materials::SourcedLaw& sourced);
+
 /// Returns the law of the robot's silicone in one sentence for people: its initial shear modulus and source, and how much softer
 /// and stiffer the other laws of the record are. What a body bears goes nearly with this modulus.
 std::string law_summary_of(const Robot& robot);

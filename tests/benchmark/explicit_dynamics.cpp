@@ -52,18 +52,18 @@ std::vector<Subject> subjects() {
 struct Damping {
   const char* name;
   double viscosity_Pa_s = 0.0;
-  fem::MaxwellBranch branch{};
+  std::vector<fem::MaxwellBranch> branches{};
 };
 
 std::vector<Damping> dampings() {
   return {{"elastic"},
           {"viscous", 10.0},
-          {"branch", 0.0, fem::maxwell_branch(50e3, {.source = "assumed", .tan_delta = 0.1, .frequency_Hz = 30.0})}};
+          {"branch", 0.0, {fem::maxwell_branch(50e3, {.source = "assumed", .tan_delta = 0.1, .frequency_Hz = 30.0})}}};
 }
 
 fem::ExplicitBody silicone_body(const meshes::HexahedralMesh& mesh, const Damping& damping, const fem::ExplicitKernels& kernels) {
   const fem::ExplicitMaterial material{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{2.5e6}, damping.viscosity_Pa_s,
-                                       damping.branch};
+                                       damping.branches};
   fem::ExplicitBodyOptions options;
   options.regions.assign(mesh.region_names.size(), {material, 1070.0});
   options.elements = fem::ThreeFieldOptions{kernels};
@@ -151,7 +151,7 @@ void walk(benchmark::State& state, std::optional<fem::Fidelity> fidelity) {
   const meshes::HexahedralMesh mesh = meshes::hollow_polycube(meshes::read_design(file), hollow).mesh;
   const fem::ExplicitMaterial silicone{materials::NeoHookean{shear_modulus_Pa},
                                        materials::SimoTaylorVolume{50.0 * shear_modulus_Pa}, 0.0,
-                                       fem::maxwell_branch(shear_modulus_Pa, fem::assumed_silicone_loss())};
+                                       fem::maxwell_branches(shear_modulus_Pa, fem::assumed_silicone_loss())};
   fem::ExplicitBodyOptions body_options;
   body_options.regions.assign(mesh.region_names.size(), {silicone, 1070.0});
   if (fidelity) {
@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
     for (const fem::ExplicitKernels& kernels : fem::available_explicit_kernels()) {
       for (const Damping& damping : dampings()) {
         for (const double relaxed_s : {0.0, 1e-4}) {
-          if (relaxed_s > 0.0 && !damping.branch.is_there()) continue;
+          if (relaxed_s > 0.0 && damping.branches.empty()) continue;
           std::string name = "ElementForces/" + subject.name;
           name.append("/").append(kernels.instruction_set).append("/").append(damping.name);
           if (relaxed_s > 0.0) name.append("/relaxing");

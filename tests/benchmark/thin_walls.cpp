@@ -52,13 +52,19 @@ struct Motion {
 struct Damping {
   const char* name;
   double viscosity_Pa_s = 0.0;
-  fem::MaxwellBranch branch{};
+  std::vector<fem::MaxwellBranch> branches{};
   double relaxed_s = 0.0;
 };
 
 std::vector<Damping> dampings() {
-  const fem::MaxwellBranch branch = fem::maxwell_branch(50e3, fem::assumed_silicone_loss());
-  return {{"elastic"}, {"viscous", 10.0}, {"branch", 0.0, branch}, {"branch_relaxing", 0.0, branch, 1e-4}};
+  const std::vector<fem::MaxwellBranch> one{fem::maxwell_branch(50e3, fem::assumed_silicone_loss())};
+  const std::vector<fem::MaxwellBranch> three{{5e3, 0.16}, {5e3, 0.024}, {20e3, 3.5e-3}};
+  return {{"elastic"},
+          {"viscous", 10.0},
+          {"branch", 0.0, one},
+          {"branch_relaxing", 0.0, one, 1e-4},
+          {"branches", 0.0, three},
+          {"branches_relaxing", 0.0, three, 1e-4}};
 }
 
 void count_elements(benchmark::State& state) {
@@ -68,13 +74,13 @@ void count_elements(benchmark::State& state) {
 
 void three_field(benchmark::State& state, const fem::ExplicitKernels& kernels, const Damping& damping) {
   const fem::ExplicitMaterial material{materials::NeoHookean{50e3}, materials::SimoTaylorVolume{2.5e6}, damping.viscosity_Pa_s,
-                                       damping.branch};
+                                       damping.branches};
   const fem::ThreeFieldElements elements(plate(), {{material, 1070.0}}, kernels);
   const Motion<double> motion;
   fem::AlignedNumbers slots(24 * kernels.width * elements.boxes().batch_count());
   fem::AlignedNumbers tensors =
       std::get<fem::AlignedNumbers>(elements.branches_at_rest(std::vector<double>(motion.displacements.size() - 1, 0.0)));
-  const fem::BranchTensors branch{tensors.empty() ? nullptr : tensors.data(), damping.relaxed_s};
+  const fem::BranchTensors branch{tensors.empty() ? nullptr : tensors.data(), damping.relaxed_s, elements.sets_apart()};
   for (auto unused : state) {
     (void)unused;
     const auto outcome = elements.forces({motion.displacements.data(), motion.velocities.data()},
@@ -106,16 +112,19 @@ void thin_walls(benchmark::State& state, const fem::ThinWallKernels<Number>& ker
   const fem::ThinWallBatches<Number> all{element, batches, nodes.data(), shapes.data(), normals.data(), pressures.data()};
   const Motion<Number> motion;
   Numbers slots(fem::slot_numbers_per_lane * width * batches);
-  Numbers branch(fem::thin_wall_branch_numbers(element) * width * batches);
-  kernels.rest_branches(all, {motion.displacements.data()}, branch.data());
+  const std::size_t set = fem::thin_wall_branch_numbers(element) * width * batches;
+  Numbers branch((fem::most_branches + 1) * set);
+  for (std::size_t n = 0; n <= fem::most_branches; ++n)
+    kernels.rest_branches(all, {motion.displacements.data()}, branch.data() + n * set);
   const fem::ThinWallMaterial material{.law = law,
                                        .bulk_modulus_Pa = 50.0 * materials::shear_modulus_at_rest_Pa(law),
                                        .viscosity_Pa_s = damping.viscosity_Pa_s,
-                                       .branch = damping.branch};
+                                       .branches = damping.branches};
   for (auto unused : state) {
     (void)unused;
-    const auto outcome = kernels.forces(material, all, {motion.displacements.data(), motion.velocities.data()},
-                                        {damping.branch.is_there() ? branch.data() : nullptr, damping.relaxed_s}, slots.data());
+    const auto outcome =
+        kernels.forces(material, all, {motion.displacements.data(), motion.velocities.data()},
+                       {damping.branches.empty() ? nullptr : branch.data(), damping.relaxed_s, set}, slots.data());
     if (outcome.is_inverted()) state.SkipWithError("an element is inverted");
     benchmark::ClobberMemory();
   }

@@ -78,6 +78,11 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
   write_inflation("completed");
   write_limit("12000.0");
   expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
+  EXPECT_EQ(verdict().find("softest law"), std::string::npos);
+  write_limit("6000.0");  // the softest law of Dragon Skin 10 has 0.46 times the shear modulus
+  expect_has(verdict(),
+             "20 % or more below ballooning. By the softest law of its silicone (ogden1, Soft Robotics Materials "
+             "Database) it would balloon near 2.7");
   write_limit("3500.0");
   expect_has(verdict(), "within 14 % of ballooning");
   write_limit("2500.0");

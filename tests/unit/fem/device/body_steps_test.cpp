@@ -33,7 +33,7 @@ struct Sample {
   materials::HyperelasticLaw law = materials::NeoHookean{50e3};
   Precision precision = Precision::double_precision;
   double viscosity_Pa_s = 0.0;
-  bool has_branch = true;
+  std::size_t branches = 1;
   double mass_damping_per_s = 0.0;
 
   friend std::ostream& operator<<(std::ostream& out, const Sample& sample) { return out << sample.name; }
@@ -42,7 +42,10 @@ struct Sample {
 ExplicitBodyOptions body_options(const meshes::HexahedralMesh& mesh, const Sample& sample) {
   ExplicitBodyOptions options = silicone_options(mesh, sample.viscosity_Pa_s);
   options.regions[0].material.law = sample.law;
-  if (sample.has_branch) options.regions[0].material.branch = {.shear_modulus_Pa = 10e3, .relaxation_time_s = 5e-3};
+  if (sample.branches > 0) options.regions[0].material.branches = {{.shear_modulus_Pa = 10e3, .relaxation_time_s = 5e-3}};
+  for (std::size_t n = 1; n < sample.branches; ++n)
+    options.regions[0].material.branches.push_back(
+        {.shear_modulus_Pa = 5e3, .relaxation_time_s = 20e-3 * static_cast<double>(n)});
   options.elements = ThinWallOptions{.precision = sample.precision, .constants = {}};
   return options;
 }
@@ -248,7 +251,8 @@ TEST(BodySteps, AreRefusedForBodiesThatBlocksDoNotTake) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, BodyStepsOf,
-                         testing::Values(Sample{.name = "elastic", .has_branch = false}, Sample{.name = "branch"},
+                         testing::Values(Sample{.name = "elastic", .branches = 0}, Sample{.name = "branch"},
+                                         Sample{.name = "branches", .branches = 3},
                                          Sample{.name = "viscous", .viscosity_Pa_s = 5.0},
                                          Sample{.name = "damped", .mass_damping_per_s = 20.0},
                                          Sample{.name = "single", .precision = Precision::single_precision},

@@ -147,7 +147,7 @@ TEST(StableStep, CountsBranches) {
   const meshes::HexahedralMesh mesh = meshes::box({8e-3, 4e-3, 4e-3}, {4, 2, 2});
   for (const ElementOptions& elements : all_elements()) {
     ExplicitBodyOptions options = silicone_options(mesh);
-    options.regions[0].material.branch = {.shear_modulus_Pa = 100e3, .relaxation_time_s = 1e-3};
+    options.regions[0].material.branches = {{.shear_modulus_Pa = 100e3, .relaxation_time_s = 1e-3}};
     options.elements = elements;
     const ExplicitBody body(mesh, options);
     const std::vector<std::vector<double>> all = states(mesh, 2e-3);

@@ -30,7 +30,7 @@ meshes::HexahedralMesh two_chambers() {
 
 ExplicitBodyOptions walls_of(const meshes::HexahedralMesh& mesh, const ThinWallOptions& walls, double viscosity_Pa_s = 0.0) {
   ExplicitBodyOptions options = silicone_options(mesh, viscosity_Pa_s);
-  options.regions[0].material.branch = {.shear_modulus_Pa = 10e3, .relaxation_time_s = 5e-3};
+  options.regions[0].material.branches = {{.shear_modulus_Pa = 10e3, .relaxation_time_s = 5e-3}};
   options.elements = walls;
   return options;
 }

@@ -125,10 +125,10 @@ TEST(LocomotionStudy, RecordsAtTheIntervalAndAtTheEnd) {
 TEST(LocomotionStudy, DampsByABranchUnlessStated) {
   const LocomotionStudy branched = sample_study(cube + rubber + ground + drive + time + no_pictures);
   const ExplicitMaterial material = body_options(branched).regions[0].material;
-  EXPECT_TRUE(material.branch.is_there());
+  EXPECT_FALSE(material.branches.empty());
   EXPECT_EQ(material.viscosity_Pa_s, 0.0);
   const LocomotionStudy viscous = sample_study(cube_study);
-  EXPECT_FALSE(body_options(viscous).regions[0].material.branch.is_there());
+  EXPECT_TRUE(body_options(viscous).regions[0].material.branches.empty());
   EXPECT_GT(body_options(viscous).regions[0].material.viscosity_Pa_s, 0.0);
   EXPECT_NE(locomotion_text(branched), locomotion_text(viscous));
 }

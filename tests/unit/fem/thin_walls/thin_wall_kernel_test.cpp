@@ -218,7 +218,7 @@ TEST(ThinWallKernels, EveryInstructionSetGivesTheSame) {
     for (const auto& law : all_laws()) {
       ThinWallMaterial material = silicone_of(law);
       material.viscosity_Pa_s = 10.0;
-      material.branch = {10e3, 5e-3};
+      material.branches = {{10e3, 5e-3}};
       std::vector<double> expected;
       double energy = 0.0;
       for (const auto& kernels : available_thin_wall_kernels<double>()) {

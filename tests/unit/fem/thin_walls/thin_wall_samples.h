@@ -167,7 +167,7 @@ class Patch {
     const Numbers u = converted(displacements);
     const Numbers v = converted(velocities);
     outcome = kernels_.forces(material, batches(), {u.data(), velocities.empty() ? nullptr : v.data()},
-                              {branch.empty() ? nullptr : branch.data(), relaxed_s}, slots.data());
+                              {branch.empty() ? nullptr : branch.data(), relaxed_s, sets_apart()}, slots.data());
     std::vector<double> result(displacements.size(), 0.0);
     for (std::size_t lane = 0; lane < count_; ++lane)
       for (std::size_t n = 0; n < 24; ++n)
@@ -180,8 +180,8 @@ class Patch {
     Numbers energies(lanes());
     smallest_ratios.assign(lanes(), Number(0));
     const Numbers u = converted(displacements);
-    kernels_.energies(material, batches(), {u.data()}, branch.empty() ? nullptr : branch.data(), energies.data(),
-                      smallest_ratios.data());
+    kernels_.energies(material, batches(), {u.data()}, {branch.empty() ? nullptr : branch.data(), 0.0, sets_apart()},
+                      energies.data(), smallest_ratios.data());
     std::vector<double> result;
     for (std::size_t lane = 0; lane < count_; ++lane) result.push_back(static_cast<double>(energies[lane]));
     return result;
@@ -193,10 +193,12 @@ class Patch {
   }
 
   /// Branches at rest at the displacements.
-  void rest_branches(const std::vector<double>& displacements) {
-    branch.assign(thin_wall_branch_numbers(element_) * lanes(), Number(0));
+  void rest_branches(const std::vector<double>& displacements, std::size_t branches = 1) {
+    Numbers set(sets_apart(), Number(0));
     const Numbers u = converted(displacements);
-    kernels_.rest_branches(batches(), {u.data()}, branch.data());
+    kernels_.rest_branches(batches(), {u.data()}, set.data());
+    branch.clear();
+    for (std::size_t n = 0; n < branch_set_count(branches); ++n) branch.insert(branch.end(), set.begin(), set.end());
   }
 
   ThinWallOutcome outcome;
@@ -205,6 +207,7 @@ class Patch {
 
  private:
   [[nodiscard]] std::size_t lanes() const { return kernels_.width * normals_.size(); }
+  [[nodiscard]] std::size_t sets_apart() const { return thin_wall_branch_numbers(element_) * lanes(); }
   [[nodiscard]] std::size_t at(std::size_t lane, std::size_t numbers, std::size_t n) const {
     return (lane / kernels_.width * numbers + n) * kernels_.width + lane % kernels_.width;
   }

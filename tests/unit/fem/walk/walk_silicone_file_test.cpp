@@ -75,9 +75,9 @@ TEST(WalkMaterial, DampsAsTheStudyStates) {
       "loss_factor = 0.2\nloss_frequency_Hz = 5\n";
   const Read viscous = read(keys + "damping_model = \"kelvin_voigt\"\n");
   EXPECT_NEAR(viscous.material.viscosity_Pa_s, 6e4 * 0.2 / (2.0 * std::numbers::pi * 5.0), 1e-9);
-  EXPECT_FALSE(viscous.material.branch.is_there());
+  EXPECT_TRUE(viscous.material.branches.empty());
   const Read branched = read(keys + "damping_model = \"maxwell\"\n");
-  EXPECT_EQ(branched.material.branch.shear_modulus_Pa, maxwell_branch(6e4, branched.material.loss).shear_modulus_Pa);
+  EXPECT_EQ(branched.material.branches.front().shear_modulus_Pa, maxwell_branch(6e4, branched.material.loss).shear_modulus_Pa);
   EXPECT_EQ(branched.material.viscosity_Pa_s, 0.0);
   EXPECT_EQ(read(keys, DampingModel::maxwell).material.damping_model, DampingModel::maxwell);
   EXPECT_EQ(read(keys, DampingModel::kelvin_voigt).material.damping_model, DampingModel::kelvin_voigt);
@@ -85,7 +85,38 @@ TEST(WalkMaterial, DampsAsTheStudyStates) {
       "law = {name = \"neo_hookean\", shear_modulus_Pa = 6e4}\ndensity_kg_per_m3 = 1000\n"
       "loss_factor = 0\nloss_frequency_Hz = 5\n");
   EXPECT_EQ(elastic.material.viscosity_Pa_s, 0.0);
-  EXPECT_FALSE(elastic.material.branch.is_there());
+  EXPECT_TRUE(elastic.material.branches.empty());
+}
+
+// Ecoflex 00-30 has a published loss factor at four frequencies.
+TEST(WalkMaterial, DampsAsItsRecordSays) {
+  const Read recorded = read("silicone = \"ecoflex_00_30\"\nbulk_modulus_ratio = 50\n");
+  EXPECT_TRUE(recorded.material.is_damping_measured);
+  EXPECT_TRUE(recorded.notes.empty());
+  ASSERT_EQ(recorded.material.branches.size(), 3U);
+  const double modulus_Pa = materials::shear_modulus_at_rest_Pa(recorded.material.law);
+  for (const auto& [tan_delta, frequency_Hz] : recorded.material.loss.points())
+    EXPECT_NEAR(loss_factor(modulus_Pa, recorded.material.branches, frequency_Hz), tan_delta, 0.03 * tan_delta) << frequency_Hz;
+  const Read stated = read("silicone = \"ecoflex_00_30\"\nloss_factor = 0.1\nloss_frequency_Hz = 30\n");
+  EXPECT_EQ(stated.material.branches.size(), 1U);
+}
+
+TEST(WalkMaterial, FollowsLossFactorsOfTheStudy) {
+  const std::string record = "silicone = \"dragon_skin_10\"\n";
+  const Read stated = read(record + "loss_factors = [0.1, 0.2]\nloss_frequencies_Hz = [2, 20]\n");
+  const double modulus_Pa = materials::shear_modulus_at_rest_Pa(stated.material.law);
+  EXPECT_NEAR(loss_factor(modulus_Pa, stated.material.branches, 2.0), 0.1, 1e-12);
+  EXPECT_NEAR(loss_factor(modulus_Pa, stated.material.branches, 20.0), 0.2, 1e-12);
+  EXPECT_EQ(stated_loss_factor(stated.given), 0.2);
+  const auto message = [&](const std::string& keys) { return message_of([&] { (void)read(record + keys); }); };
+  EXPECT_NE(message("loss_factors = [0.1, 0.2]\n").find("loss_frequencies_Hz is missing"), std::string::npos);
+  EXPECT_NE(message("loss_factors = [0.1]\nloss_frequencies_Hz = [2]\n").find("loss_factors"), std::string::npos);
+  EXPECT_NE(message("loss_factors = [0.1, 0.2]\nloss_frequencies_Hz = [2, 20, 30]\n").find("as many values as loss_factors"),
+            std::string::npos);
+  EXPECT_NE(message("loss_factors = [0.1, 0.2]\nloss_frequencies_Hz = [20, 2]\n").find("must ascend"), std::string::npos);
+  EXPECT_NE(message("loss_factors = [0.1, 0.2]\nloss_frequencies_Hz = [2, 20]\nloss_factor = 0.1\nloss_frequency_Hz = 3\n")
+                .find("cannot stand beside loss_factor"),
+            std::string::npos);
 }
 
 TEST(WalkMaterial, RefusesWhatIsNoSilicone) {
@@ -110,15 +141,17 @@ TEST(WalkMaterial, RefusesWhatIsNoSilicone) {
 // What a study leaves open, the record's law among it, stands in the text of what a material was made of.
 TEST(WalkMaterial, IsTheSameByItsText) {
   const std::string stated = "modulus_factor = 2\nloss_factor = 0.2\nloss_frequency_Hz = 5\n";
-  for (const std::string& keys : {std::string(), std::string("youngs_modulus_Pa = 107e3\n"), stated}) {
+  const std::string several = "loss_factors = [0.1, 0.15]\nloss_frequencies_Hz = [3, 30]\n";
+  for (const std::string& keys : {std::string(), std::string("youngs_modulus_Pa = 107e3\n"), stated, several}) {
     const Read first = read("silicone = \"dragon_skin_10\"\n" + keys);
     const std::string text = io::described_text(first.given);
     const Read again = read(text);
     EXPECT_EQ(shear_modulus_Pa(again), shear_modulus_Pa(first));
     EXPECT_EQ(again.material.bulk_modulus_Pa, first.material.bulk_modulus_Pa);
     EXPECT_EQ(again.material.density_kg_per_m3, first.material.density_kg_per_m3);
-    EXPECT_EQ(again.material.branch.shear_modulus_Pa, first.material.branch.shear_modulus_Pa);
-    EXPECT_EQ(again.material.branch.relaxation_time_s, first.material.branch.relaxation_time_s);
+    EXPECT_EQ(again.material.branches.front().shear_modulus_Pa, first.material.branches.front().shear_modulus_Pa);
+    EXPECT_EQ(again.material.branches.front().relaxation_time_s, first.material.branches.front().relaxation_time_s);
+    EXPECT_EQ(again.material.branches.size(), first.material.branches.size());
     EXPECT_EQ(io::described_text(again.given), text);
   }
 }

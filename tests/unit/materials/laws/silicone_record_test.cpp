@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -126,9 +129,13 @@ TEST(SiliconeRecord, OgdenFitHasTheShearModulusOfItsSource) {
 
 TEST(SiliconeRecord, SaysWhatWasNotMeasured) {
   for (const auto& [file, stated] : bulletins()) {
-    const std::vector<std::string> quantities = read_silicone(ready(file)).not_measured;
-    for (const char* quantity : {"damping", "friction"})
-      EXPECT_NE(std::find(quantities.begin(), quantities.end(), quantity), quantities.end()) << file;
+    const SiliconeRecord record = read_silicone(ready(file));
+    const auto is_missing = [&](const char* quantity) {
+      return std::ranges::find(record.not_measured, quantity) != record.not_measured.end();
+    };
+    EXPECT_TRUE(is_missing("friction")) << file;
+    EXPECT_EQ(is_missing("damping"), file != "ecoflex_00_30") << file;
+    EXPECT_EQ(record.loss.has_value(), file == "ecoflex_00_30") << file;
   }
 }
 
@@ -164,6 +171,35 @@ TEST(SiliconeRecord, ReadsLossDataWhereThereAreAny) {
   ASSERT_TRUE(record.loss);
   EXPECT_EQ(record.loss->tan_delta, 0.12);
   EXPECT_EQ(record.loss->frequency_Hz, 2.0);
+  EXPECT_EQ(record.loss->points(), (std::vector<LossPoint>{{0.12, 2.0}}));
+}
+
+TEST(SiliconeRecord, ReadsLossFactorsAtSeveralFrequencies) {
+  const auto loss = read_silicone(ready("ecoflex_00_30")).loss;
+  ASSERT_TRUE(loss);
+  EXPECT_EQ(loss->frequency_Hz, 30.0) << "the highest one";
+  ASSERT_EQ(loss->points().size(), 4U);
+  // G = mu (1 + (i w 330 us)^0.32)
+  for (const auto& [tan_delta, frequency_Hz] : loss->points()) {
+    const std::complex<double> added = std::pow(std::complex<double>(0.0, 2.0 * std::numbers::pi * frequency_Hz * 330e-6), 0.32);
+    EXPECT_NEAR(tan_delta, added.imag() / (1.0 + added.real()), 5e-5) << frequency_Hz;
+  }
+  const auto refused = [](const std::string& keys) {
+    const tests::TestFolder folder;
+    std::string text = io::read_whole(ready("dragon_skin_10"));
+    text.replace(text.find("\"damping\", "), 11, "");
+    io::write_whole(folder / "record.toml", text + "\n[loss]\nsource = \"a test\"\n" + keys);
+    try {
+      (void)read_silicone(folder / "record.toml");
+    } catch (const io::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_NE(refused("tan_delta = [0.1, 0.2]\nfrequency_Hz = [1]\n").find("frequency_Hz = [...]: must have as many"),
+            std::string::npos);
+  EXPECT_NE(refused("tan_delta = [0.1, 0.2]\nfrequency_Hz = [2, 1]\n").find("must ascend"), std::string::npos);
+  EXPECT_NE(refused("tan_delta = []\nfrequency_Hz = []\n").find("tan_delta"), std::string::npos);
 }
 
 TEST(SiliconeRecord, NamesAMissingFile) { EXPECT_THROW((void)read_silicone(ready("absent")), io::InputError); }
