@@ -17,7 +17,7 @@ std::filesystem::path own_program_folder();
 
 /// Returns a folder of the data files that come with menger: share/menger/NAME, beside the folder of the running program. So
 /// a program finds them wherever menger was installed, and in a build, where the folder is a link into the sources.
-/// @param name one of the names below
+/// @param name one of the names above
 /// @return the path with links resolved if the folder is there; otherwise the place where it should be
 std::filesystem::path data_folder(std::string_view name);
 
