@@ -16,15 +16,18 @@ proof() { "$study/proof.py" "$@"; }
 
 # A search of an arm, and what is wanted of it: arm, seed, size, folder of results, folder of tables.
 one_search() {
-  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2
+  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions
   say "proof: seed $seed, $arm"
   proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
   menger confirm "$out/$name.sqlite" "$study/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
-  if [ "$arm" = voxels ]; then
-    menger confirm "$out/$name.sqlite" "$study/elements.toml" --champions --output "$out/$name.champions.csv"
-  fi
   menger export "$out/$name.sqlite" --output "$out/$name" --levels 1 --no-frames --no-pictures
+  if [ "$arm" = voxels ]; then
+    champions=$(proof champions "$out" "$arm" "$seed")
+    read -ra champions <<<"$champions"
+    if [ ${#champions[@]} -gt 0 ]; then champions=(--individuals "${champions[@]}"); else champions=(--champions); fi  # none: an empty table
+    menger confirm "$out/$name.sqlite" "$study/elements.toml" "${champions[@]}" --output "$out/$name.champions.csv"
+  fi
   proof take "$out" "$tables" "$arm" "$seed"
 }
 

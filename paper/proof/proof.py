@@ -5,6 +5,7 @@ proof.py study ARM SEED SIZE.toml OUT.toml    writes the study of a search, with
 proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
 proof.py missing TABLES SEED                  prints the arms of a seed that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
+proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
 proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv and progress.csv
 proof.py winners TABLES                       prints "ARM SEED INDIVIDUAL" of the winners of the better arm on finite elements
 proof.py layers RESULTS TABLES                makes layers.csv: winners with two layers of elements
@@ -39,6 +40,7 @@ CORES = 2  # of which size.toml speaks
 RESAMPLES = 10000
 MOST_ARRANGEMENTS = 2_000_000  # that an exact rank-sum test counts; eleven seeds have 705432
 GRID = 60  # costs at which lines of progress are drawn
+CHAMPIONS = 40  # costs at which the champion of a search on voxels walks on elements: it has more than a thousand
 
 OUTCOMES = ["arm", "seed", "budget_element_steps", "voxel_steps_per_element_step", "cost_element_steps", "generations", "evaluations", "search_body_lengths", "individual",
             "design", "cells", "first_body_lengths", "best_body_lengths", "reason"]
@@ -130,22 +132,37 @@ def summed_costs(folder, budget):
                                      for row in read_table(folder / "costs.csv")))
 
 
-def progress_of(results, arm, seed):
-    """Rows where a search has another champion: its score on draft elements, and what the search has cost by then."""
+def champions_of(results, arm, seed):
+    """(generation, cost by then, individual, fitness) wherever a search has another champion."""
     name = f"{arm}_{seed}"
     cost = summed_costs(results / name, budget_in(results / "studies" / f"{name}.toml"))
-    judged = {}  # voxels have no such score of their own
-    if arm == "voxels":
-        judged = {rows[0]["individual"]: score(rows) for rows in robots_of(read_table(results / f"{name}.champions.csv")).values()}
-    before = None
+    before = ""
     for n, row in enumerate(read_table(results / name / "generations.csv")):
-        champion = row["champion"]
-        if not champion or champion == before:
-            continue
-        before = champion
-        found = judged[champion] if arm == "voxels" else float(row["best_fitness_body_lengths"])
-        yield {"arm": arm, "seed": seed, "generation": n, "cost_element_steps": number(cost[n]), "champion": champion,
-               "body_lengths": number(found)}
+        if row["champion"] and row["champion"] != before:
+            before = row["champion"]
+            yield n, cost[n], before, row["best_fitness_body_lengths"]
+
+
+def drawn_champions(champions):
+    """Those of the champions that lead a search at CHAMPIONS costs, evenly apart on a logarithmic axis, the first and the last among them."""
+    if not champions:
+        return []
+    least, most = champions[0][1], champions[-1][1]
+    wanted = [least * (most / least) ** (n / (CHAMPIONS - 1)) for n in range(CHAMPIONS - 1)] + [most]
+    places = {max(k for k, one in enumerate(champions) if one[1] <= cost) for cost in wanted}
+    return [champions[k] for k in sorted(places)]
+
+
+def progress_of(results, arm, seed):
+    """Rows where a search has another champion: its score on draft elements, and what the search has cost by then."""
+    champions = list(champions_of(results, arm, seed))
+    judged = {}
+    if arm == "voxels":  # they have no such score of their own
+        champions = drawn_champions(champions)
+        judged = {rows[0]["individual"]: score(rows) for rows in robots_of(read_table(results / f"{arm}_{seed}.champions.csv")).values()}
+    for n, cost, champion, fitness in champions:
+        found = judged[champion] if arm == "voxels" else float(fitness)
+        yield {"arm": arm, "seed": seed, "generation": n, "cost_element_steps": number(cost), "champion": champion, "body_lengths": number(found)}
 
 
 def is_of(row, arm, seed):
@@ -347,6 +364,8 @@ def main(arguments):
                 print(*(arm for arm in ARMS if not any(is_of(row, arm, seed) for row in rows)))
             case ["cost", results]:
                 write_table(HERE / "cost.csv", ["what", "value"], cost_rows(pathlib.Path(results)))
+            case ["champions", results, arm, seed] if arm in ARMS:
+                print(*(one[2] for one in drawn_champions(list(champions_of(pathlib.Path(results), arm, seed)))))
             case ["take", results, tables, arm, seed] if arm in ARMS:
                 results, tables = pathlib.Path(results), pathlib.Path(tables)
                 progress = list(progress_of(results, arm, seed))

@@ -4,6 +4,7 @@ proof_test.py SOURCES: the folder of the sources.
 """
 
 import csv
+import itertools
 import pathlib
 import random
 import subprocess
@@ -159,6 +160,17 @@ class Searches(unittest.TestCase):
         self.assertAlmostEqual(float(table_of(self.tables / "outcomes.csv")[0]["cost_element_steps"]) * ratio / 2e6, 1.0, 5)
         progress = table_of(self.tables / "progress.csv")
         self.assertEqual([row["body_lengths"] for row in progress], ["0.03", "0"], "as finite elements say, not voxels")
+
+    def test_few_of_many_champions_walk_on_elements(self):
+        champions = [(n, 1e6 * (n + 1), str(n), 0.1) for n in range(5000)]
+        drawn = proof.drawn_champions(champions)
+        self.assertLessEqual(len(drawn), proof.CHAMPIONS)
+        self.assertGreater(len(drawn), proof.CHAMPIONS // 2)
+        self.assertEqual([drawn[0], drawn[-1]], [champions[0], champions[-1]])
+        factors = [after[1] / before[1] for before, after in itertools.pairwise(drawn[-10:])]
+        self.assertLess(max(factors) / min(factors), 1.01, "evenly apart on a logarithmic axis")
+        self.assertEqual(proof.drawn_champions(champions[:1]), champions[:1])
+        self.assertEqual(proof.drawn_champions([]), [])
 
     def test_tests_effects_and_picture(self):
         for seed in range(1, 6):
