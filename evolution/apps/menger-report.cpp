@@ -44,7 +44,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   bool no_animations = false;
   CLI::App app(description, "menger report");
   app.footer(example);
-  app.add_option("folder", arguments.folder, "Folder with results")->required();
+  app.add_option("folder", arguments.folder, "Folder with results, or robot.toml of menger loop")->required();
   app.add_option("-o,--output", arguments.options.file, "File of the page (default: report.html in the folder)");
   app.add_flag("--no-animations", no_animations, "Make no animations (GIF) of walks; those of an earlier report stay");
   const auto code = io::parse_arguments(app, argc, argv);

@@ -44,12 +44,23 @@ std::string thick_wall_note(const meshes::Robot& robot) {
   return text;
 }
 
+/// Up to this frequency pneumatic robots of this size are driven.
+constexpr double usual_drives_Hz = 20.0;
+
+std::string fast_drive_note(const meshes::Robot& robot) {
+  if (robot.drive == meshes::RobotDrive::hold || robot.frequency_Hz <= usual_drives_Hz) return "";
+  return "note: drive.frequency_Hz = " + io::shown(robot.frequency_Hz) +
+         " is computed as if the air followed at once; no valve and tube is in the way";
+}
+
 }  // namespace
 
 std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
   const fs::path file = parameters_of(robot, places);
   std::vector<std::string> lines{law_summary_of(robot), source_text(robot, file)};
-  if (const std::string note = thick_wall_note(robot); !note.empty()) lines.push_back(note);
+  for (const std::string& note : {thick_wall_note(robot), fast_drive_note(robot)}) {
+    if (!note.empty()) lines.push_back(note);
+  }
   if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
       static_cast<void>(voxel::read_surrogate(file));  // says what is wrong

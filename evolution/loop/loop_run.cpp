@@ -133,7 +133,7 @@ class LoopRun {
   int run() {
     io::require_writable_folder(places_.results / "logs");
     const io::FileLock lock(places_.results / "loop");
-    state_.emplace(places_.results / "loop.json");
+    state_.emplace(places_.results / loop_state_name);
     tell_plan();
     io::ask_for_progress(told_file());
     int code = io::exit_code::done;
@@ -282,7 +282,8 @@ class LoopRun {
     if (is_current(stage, earlier, key)) {
       current_.insert(stage.name);
       // Told anew: what a stage found is compared with the drive, which may have changed since.
-      out_ << label(n) << "  as before: " << stage_finding(stage.name, places_.results, robot_) << std::endl;
+      const std::string finding = stage_finding(stage.name, places_.results, robot_);
+      out_ << label(n) << "  as before" << (finding.empty() ? "" : ": " + finding) << std::endl;
       return earlier->status == StageStatus::numerical ? io::exit_code::numerical : io::exit_code::done;
     }
     return run_program(stage, n, key);
@@ -294,7 +295,9 @@ class LoopRun {
     StageRecord record{.key = key};
     if (goes_on) record.seconds = earlier->seconds;
     record.takes_over = goes_on ? earlier->takes_over : earlier != nullptr;
-    const double expected_s = earlier != nullptr && earlier->has_ended() ? std::max(earlier->seconds, 1.0) : stage.expected_s;
+    const bool has_ended_before = earlier != nullptr && earlier->has_ended() && earlier->seconds > 0.0;
+    const double expected_s = has_ended_before ? std::max(earlier->seconds, 1.0) : stage.expected_s;
+    earlier_time_ = has_ended_before ? io::duration_text(earlier->seconds) : "";
     if (stage.may_restart && !goes_on) remove_checkpoints(places_.results / stage.name);
     state_->set(stage.name, record);
     std::vector<std::string> arguments = stage.arguments;
@@ -345,15 +348,17 @@ class LoopRun {
     is_line_begun_ = is_shown;
   }
 
-  /// Says how far a stage is, where no terminal has a bar that shows it.
-  /// @param told by its program; nothing: its usual time is all that is known
-  void tell_waiting(const LoopStage& stage, std::size_t n, double seconds, double expected_s,
-                    const std::optional<io::ToldProgress>& told) {
+  /// Says how far a stage is, where no terminal has a bar that shows it. A stage is several jobs, and its program tells of one at
+  /// a time: how long the others take is known from an earlier run alone.
+  /// @param told by its program, if it has told anything
+  void tell_waiting(const LoopStage& stage, std::size_t n, double seconds, const std::optional<io::ToldProgress>& told) {
     if (::isatty(STDERR_FILENO) == 1 || seconds < next_told_s_) return;
     next_told_s_ = seconds + request_.tell_every_s;
-    const double part = told ? told->part : seconds / expected_s;
     std::string text = "runs for " + io::duration_text(seconds);
-    if (part > 0.0 && part < 1.0) text += ", about " + io::duration_text(seconds * (1.0 - part) / part) + " left";
+    if (!earlier_time_.empty()) text += ", took " + earlier_time_ + " before";
+    if (told && told->part > 0.0 && told->part < 1.0)
+      text +=
+          ", about " + io::duration_text((seconds - job_began_s_) * (1.0 - told->part) / told->part) + " left of its present job";
     if (told && !told->note.empty()) text += " (" + told->note + ")";
     begin_line(n);
     out_ << text << "; see " << shown(log_of(stage)) << std::endl;
@@ -363,6 +368,8 @@ class LoopRun {
   io::ChildOutcome start(const LoopStage& stage, std::size_t n, const std::vector<std::string>& arguments, double expected_s) {
     io::remove_if_there(told_file());
     next_told_s_ = request_.tell_every_s;
+    job_began_s_ = 0.0;
+    told_part_ = 0.0;
     io::ChildProgram child{.program = request_.programs / stage.program,
                            .arguments = arguments,
                            .folder = places_.results,
@@ -374,8 +381,11 @@ class LoopRun {
       // A program may need longer for what it has than this one would be given: its checkpoint, or its walks.
       if (request_.stop != nullptr && *request_.stop) io::come_to_stop();
       const std::optional<io::ToldProgress> told = io::told_progress(told_file());
+      // It begins another job.
+      if (told && told->part < told_part_) job_began_s_ = seconds;
+      told_part_ = told ? told->part : 0.0;
       // A program that has told nothing yet is taken to need as long as expected.
-      tell_waiting(stage, n, seconds, expected_s, told);
+      tell_waiting(stage, n, seconds, told);
       bar.update(told ? told->part : std::min(seconds / expected_s, 0.99), told ? told->note : "");
     };
     return io::run_child(child);
@@ -506,6 +516,9 @@ class LoopRun {
   std::map<std::string, std::string> inputs_;  ///< of the manifest
   std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
   bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
+  std::string earlier_time_{};                 ///< that the stage took before; empty if it never ended
+  double job_began_s_ = 0.0;                   ///< time in a stage at which its program began the job that it tells of
+  double told_part_ = 0.0;                     ///< of that job
   double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
   std::optional<std::vector<std::string>> verdict_;  ///< once all stages before the report have ended
   bool is_body_refused_ = false;                     ///< by menger mesh, in this call

@@ -26,4 +26,7 @@ std::optional<LoopVerdict> read_loop_verdict(const std::filesystem::path& result
 /// The name of its file in the folder of the results.
 inline constexpr const char* loop_verdict_name = "loop_verdict.json";
 
+/// The name of the file of a loop's state (LoopState), by which the folder of its results is known.
+inline constexpr const char* loop_state_name = "loop.json";
+
 }  // namespace menger::evolution

@@ -196,9 +196,17 @@ void animate(ReportPage& page, const ReportOptions& options, ReportResult& resul
   }
 }
 
+/// The results of menger loop, where its robot.toml or the folder of that is given: what the loop said came out is with them.
+fs::path results_in(const fs::path& given) {
+  const fs::path folder = given.extension() == ".toml" && io::is_file(given) ? given.parent_path() : given;
+  const fs::path results = folder / "results";
+  return io::is_file(results / loop_state_name) && !io::is_file(folder / "manifest.json") ? results : given;
+}
+
 }  // namespace
 
-ReportResult write_report(const fs::path& folder, const ReportOptions& options) {
+ReportResult write_report(const fs::path& given, const ReportOptions& options) {
+  const fs::path folder = results_in(given);
   const auto tell = [&](const std::string& doing, double share) {
     if (options.progress) options.progress(doing, share);
   };

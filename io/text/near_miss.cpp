@@ -23,6 +23,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// Returns the word that is the written one and more after an underscore, if there is only one.
+std::optional<std::string> the_only_one_that_goes_on(std::string_view written, std::span<const std::string> words) {
+  const std::string beginning = std::string(written) + "_";
+  const auto goes_on = [&](const std::string& word) { return word.starts_with(beginning); };
+  if (written.empty() || std::ranges::count_if(words, goes_on) != 1) return std::nullopt;
+  return *std::ranges::find_if(words, goes_on);
+}
+
 }  // namespace
 
 std::optional<std::string> near_miss(std::string_view written, std::span<const std::string> words) {
@@ -34,7 +42,7 @@ std::optional<std::string> near_miss(std::string_view written, std::span<const s
     fewest = distance;
     nearest = word;
   }
-  return nearest;
+  return nearest ? nearest : the_only_one_that_goes_on(written, words);
 }
 
 }  // namespace menger::io

@@ -12,6 +12,14 @@
 #include "io/text/whole_file.h"
 
 namespace menger::io {
+namespace {
+
+/// People write the rows of a body without quotes: 010.
+std::string hint_on(std::string_view problem) {
+  return problem.find("leading zeroes") == std::string_view::npos ? "" : "; a row of digits stands in quotes, as in \"010\"";
+}
+
+}  // namespace
 
 TomlTable read_toml(const std::filesystem::path& file) { return parse_toml(read_whole(file), file); }
 
@@ -23,7 +31,7 @@ TomlTable parse_toml(std::string_view text, const std::filesystem::path& file) {
     return TomlTable(std::make_shared<TomlTable::Node>(std::move(node)));
   } catch (const toml::parse_error& error) {
     throw InputError(file.string() + ":" + std::to_string(error.source().begin.line) +
-                     ": not TOML: " + std::string(error.description()));
+                     ": not TOML: " + std::string(error.description()) + hint_on(error.description()));
   } catch (const std::bad_alloc&) {
     throw InputError(file.string() + ": does not fit into memory");
   }
@@ -75,7 +83,9 @@ bool TomlTable::boolean(std::string_view key) const {
 
 bool TomlTable::boolean_or(std::string_view key, bool fallback) const { return asks_for(key) ? boolean(key) : fallback; }
 
-std::string TomlTable::text(std::string_view key) const { return node_->text(std::string(key), node_->require(key, "a string")); }
+std::string TomlTable::text(std::string_view key) const {
+  return node_->text(std::string(key), node_->require(key, "a text in quotes"));
+}
 
 std::string TomlTable::text_or(std::string_view key, std::string_view fallback) const {
   return asks_for(key) ? text(key) : std::string(fallback);

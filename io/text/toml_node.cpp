@@ -93,7 +93,8 @@ std::int64_t TomlTable::Node::integer(const std::string& name, const toml::node&
 }
 
 std::string TomlTable::Node::text(const std::string& name, const toml::node& node) const {
-  return toml_value<std::string>(node, "a string", [&](const std::string& reason) { return fault(name, node, reason); }).get();
+  return toml_value<std::string>(node, "a text in quotes", [&](const std::string& reason) { return fault(name, node, reason); })
+      .get();
 }
 
 std::shared_ptr<TomlTable::Node> TomlTable::Node::child(std::string_view key, const std::string& name, const toml::node& node) {

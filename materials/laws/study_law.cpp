@@ -13,7 +13,6 @@
 namespace menger::materials {
 namespace {
 
-constexpr std::string_view recommended = "recommended";
 enum class Convention { ogden, abaqus };
 
 /// Returns the kinds of laws (their indices) by name.
@@ -97,26 +96,12 @@ void take(const SourcedLaw& chosen, StudyLaw& law) {
   law.source = chosen.source;
 }
 
-void choose_from_record(const io::TomlTable& table, const std::string& law_name, StudyLaw& law) {
-  const SiliconeRecord& record = *law.record;
-  SourcedLaw chosen = record.recommended;
-  law.count = 0;
-  if (law_name == recommended) {
-    if (law.variant != 1) throw table.error("law_variant", "there is only one recommended law");
-  } else {
-    std::vector<const SourcedLaw*> matches;
-    std::string known(recommended);
-    for (const SourcedLaw& other : record.others) {
-      if (name_of(other.law) == law_name) matches.push_back(&other);
-      known.append(", ").append(name_of(other.law));
-    }
-    if (matches.empty()) throw table.error("law_name", "the record has " + known);
-    if (law.variant > matches.size())
-      throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + law_name);
-    chosen = *matches[law.variant - 1];
-    law.count = matches.size();
+std::vector<const SourcedLaw*> laws_with_name(const SiliconeRecord& record, const std::string& law_name) {
+  std::vector<const SourcedLaw*> matches;
+  for (const SourcedLaw& other : record.others) {
+    if (name_of(other.law) == law_name) matches.push_back(&other);
   }
-  take(chosen, law);
+  return matches;
 }
 
 /// Sets the law of the silicone that a template names, so that the study agrees with its text.
@@ -126,7 +111,7 @@ void take_example(const std::string& silicone, StudyLaw& law) {
 
 void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
   std::string silicone;
-  std::string law_name(recommended);
+  std::string law_name(recommended_law_name);
   visitor.text({.name = "silicone",
                 .help = "Name of a silicone of menger, or a file of a silicone.",
                 .example = "\"dragon_skin_10\"",
@@ -140,7 +125,8 @@ void describe_silicone(io::StudyVisitor& visitor, StudyLaw& law) {
   const std::string_view key = table->has("silicone") ? "silicone" : "record";
   law.file = silicone_file(*table, key);
   law.record = table->reading(key, [&] { return read_silicone(law.file); });
-  choose_from_record(*table, law_name, law);
+  take(law_in_record(*table, *law.record, law_name, law.variant), law);
+  law.count = law_name == recommended_law_name ? 0 : laws_with_name(*law.record, law_name).size();
 }
 
 void describe_in_place(io::StudyVisitor& visitor, StudyLaw& law) {
@@ -160,6 +146,23 @@ void describe_in_place(io::StudyVisitor& visitor, StudyLaw& law) {
 std::string StudyLaw::name() const {
   const std::string of_law(name_of(law));
   return record ? record->name + ", " + of_law : "inline " + of_law;
+}
+
+SourcedLaw law_in_record(const io::TomlTable& table, const SiliconeRecord& record, const std::string& law_name,
+                         std::size_t law_variant) {
+  if (law_name == recommended_law_name) {
+    if (law_variant != 1) throw table.error("law_variant", "there is only one recommended law");
+    return record.recommended;
+  }
+  const std::vector<const SourcedLaw*> matches = laws_with_name(record, law_name);
+  if (matches.empty()) {
+    std::string known(recommended_law_name);
+    for (const SourcedLaw& other : record.others) known.append(", ").append(name_of(other.law));
+    throw table.error("law_name", "the record has " + known);
+  }
+  if (law_variant > matches.size())
+    throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + law_name);
+  return *matches[law_variant - 1];
 }
 
 StudyLaw recommended_law(const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/study/study_visitor.h"
 #include "materials/laws/hyperelastic_law.h"
@@ -39,6 +40,14 @@ struct StudyLaw {
   /// Returns the name for messages: "Dragon Skin 10, yeoh", "a neo_hookean law in place".
   [[nodiscard]] std::string name() const;
 };
+
+/// The value of law_name that means the recommended law of a record.
+inline constexpr std::string_view recommended_law_name = "recommended";
+
+/// Returns the law of a record that law_name and law_variant of a study mean.
+/// @param table with these keys, for messages @throws io::InputError if the record has no such law
+SourcedLaw law_in_record(const io::TomlTable& table, const SiliconeRecord& record, const std::string& law_name,
+                         std::size_t law_variant);
 
 /// The recommended law of a silicone. @param file of its record
 /// @throws io::InputError as read_silicone

@@ -17,8 +17,7 @@ bool is_same_length(double one_m, double other_m) { return std::abs(one_m - othe
 
 bool holds_for(const fs::path& file, const Robot& robot) {
   const io::TomlTable question = io::read_toml(file).table("holds_for");
-  return question.text("silicone") == robot.record.name &&
-         question.text("law") == materials::law_line(robot.record.recommended.law) &&
+  return question.text("silicone") == robot.record.name && question.text("law") == materials::law_line(robot.law.law) &&
          is_same_length(question.number("cell_edge_m"), robot.design.cell_edge_m) &&
          is_same_length(question.number("wall_thickness_m"), robot.wall_thickness_m) &&
          question.integer_or<int>("voxels_per_cell", 1) == 1;

@@ -6,6 +6,7 @@
 #include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "materials/laws/hyperelastic_law.h"
+#include "materials/laws/law_file.h"
 
 namespace menger::meshes {
 namespace {
@@ -70,13 +71,15 @@ double two_digits(double value) {
 }
 
 double scaled_pressure_Pa(const Robot& robot, double pressure_Pa) {
-  const double stiffness = materials::shear_modulus_at_rest_Pa(robot.record.recommended.law) / known_shear_modulus_Pa;
+  const double stiffness = materials::shear_modulus_at_rest_Pa(robot.law.law) / known_shear_modulus_Pa;
   const double slenderness = robot.wall_thickness_m / robot.span_m() / known_slenderness;
   return two_digits(pressure_Pa * stiffness * (pressure_Pa < 0.0 ? slenderness * slenderness : slenderness));
 }
 
+double usual_pressure_Pa(const Robot& robot) { return scaled_pressure_Pa(robot, known_drive_Pa); }
+
 std::array<double, 2> drive_pressure_Pa(const Robot& robot) {
-  return robot.pressure_Pa.value_or(std::array{0.0, scaled_pressure_Pa(robot, known_drive_Pa)});
+  return robot.pressure_Pa.value_or(std::array{0.0, usual_pressure_Pa(robot)});
 }
 
 std::string named_law(const materials::SourcedLaw& sourced) {
@@ -84,20 +87,28 @@ std::string named_law(const materials::SourcedLaw& sourced) {
   return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
 }
 
+std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot) {
+  std::vector<materials::SourcedLaw> laws{robot.record.recommended};
+  laws.insert(laws.end(), robot.record.others.begin(), robot.record.others.end());
+  const std::string own = materials::law_line(robot.law.law);
+  std::erase_if(laws, [&](const materials::SourcedLaw& one) { return materials::law_line(one.law) == own; });
+  return laws;
+}
+
 std::string law_summary_of(const Robot& robot) {
-  const materials::SiliconeRecord& record = robot.record;
-  const double modulus_Pa = materials::shear_modulus_at_rest_Pa(record.recommended.law);
-  std::string text = "law: initial shear modulus " + io::kilopascals(modulus_Pa) + " (" + named_law(record.recommended) + ")";
-  if (record.others.empty()) return text + "; the record has no other law";
+  const double modulus_Pa = materials::shear_modulus_at_rest_Pa(robot.law.law);
+  std::string text = "law: initial shear modulus " + io::kilopascals(modulus_Pa) + " (" + named_law(robot.law) + ")";
+  const std::vector<materials::SourcedLaw> others = other_laws_of(robot);
+  if (others.empty()) return text + "; the record has no other law";
   const auto times = [&](const materials::SourcedLaw& law) {
     return io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa) + " times as much (" +
            named_law(law) + ")";
   };
-  const auto [softest, stiffest] = materials::softest_and_stiffest(record.others);
-  const bool is_one = record.others.size() == 1;
+  const auto [softest, stiffest] = materials::softest_and_stiffest(others);
+  const bool is_one = others.size() == 1;
   text += (is_one ? "; the other law of the record has " : "; the other laws of the record have ") + times(softest);
   if (!is_one) text += " to " + times(stiffest);
-  return text + ". The pressure that a body bears goes nearly with it";
+  return text + ". The pressure that a body bears goes nearly with it; law_name in robot.toml takes another one";
 }
 
 std::string summary_of(const Robot& robot) {

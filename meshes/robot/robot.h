@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "materials/laws/silicone_record.h"
 #include "meshes/design/design_file.h"
@@ -60,6 +62,9 @@ struct Robot {
   std::string silicone;                                ///< as robot.toml names it
   std::filesystem::path silicone_file;                 ///< the record that this means
   materials::SiliconeRecord record;                    ///< its content
+  std::string law_name = "recommended";                ///< of a law in the record
+  std::size_t law_variant = 1;                         ///< its number among laws of this name, from 1
+  materials::SourcedLaw law;                           ///< the law that these mean
   std::optional<std::array<double, 2>> pressure_Pa{};  ///< lowest and highest gauge pressure; nothing: see drive_pressure_Pa
   double frequency_Hz = 3.0;
   RobotDrive drive = RobotDrive::in_phase;
@@ -77,9 +82,11 @@ struct Robot {
   [[nodiscard]] double span_m() const { return design.cell_edge_m - 2.0 * wall_thickness_m; }
 };
 
-/// Returns the lowest and highest pressure of the drive: those of the robot, or 0 and the pressure that loads its walls as 6 kPa
-/// loads cells of 10 mm with walls of 2 mm in Dragon Skin 10, in two digits. Limit pressures grow as shear modulus times wall
-/// thickness over span, and so does this one.
+/// Returns the pressure that loads the walls of the robot as 6 kPa loads cells of 10 mm with walls of 2 mm in Dragon Skin 10, in
+/// two digits. Limit pressures grow as shear modulus times wall thickness over span, and so does this one.
+double usual_pressure_Pa(const Robot& robot);
+
+/// Returns the lowest and highest pressure of the drive: those of the robot, or 0 and the usual pressure.
 std::array<double, 2> drive_pressure_Pa(const Robot& robot);
 
 /// Returns a pressure of cells of 10 mm with walls of 2 mm in Dragon Skin 10 as that of the robot which loads its walls likewise.
@@ -95,6 +102,9 @@ std::string summary_of(const Robot& robot);
 /// Returns a law with its source, without the details that follow a comma or a bracket: "ogden1, Soft Robotics Materials
 /// Database".
 std::string named_law(const materials::SourcedLaw& sourced);
+
+/// Returns the laws of the record of the robot's silicone but for its own.
+std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot);
 
 /// Returns the law of the robot's silicone in one sentence for people: its initial shear modulus and source, and how much softer
 /// and stiffer the other laws of the record are. What a body bears goes nearly with this modulus.

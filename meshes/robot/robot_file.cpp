@@ -7,9 +7,11 @@
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/joined_text.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/silicone_library.h"
+#include "materials/laws/study_law.h"
 #include "meshes/design/connectivity.h"
 #include "meshes/design/hollow_body_file.h"
 #include "meshes/design/weak_contacts.h"
@@ -22,6 +24,24 @@ namespace fs = std::filesystem;
 /// No cell of a robot is as large; who states more has written millimetres.
 constexpr double largest_cell_edge_m = 0.5;
 
+/// Cells that a message names.
+constexpr std::size_t named_cells = 4;
+
+/// The cells outside the largest part of a body, by their places: "cell (0, 0, 0) is", "cells (0, 0, 0), (2, 0, 0) and 3 more
+/// are".
+std::string cells_apart(const Polycube& body) {
+  const Polycube largest = largest_component(body);
+  std::vector<std::string> places;
+  std::size_t count = 0;
+  for (const CellIndex& place : body.occupied()) {
+    if (largest.at(place) != empty) continue;
+    if (++count <= named_cells) places.push_back(cell_text(place));
+  }
+  std::string text = (count == 1 ? "cell " : "cells ") + io::joined(places);
+  if (count > places.size()) text += " and " + std::to_string(count - places.size()) + " more";
+  return text + (count == 1 ? " is" : " are");
+}
+
 /// Refuses lengths in other units, and a body that cannot be cast as one.
 void check_body(const Robot& robot, const io::TomlTable& table) {
   if (robot.design.cell_edge_m > largest_cell_edge_m) {
@@ -33,7 +53,8 @@ void check_body(const Robot& robot, const io::TomlTable& table) {
   if (!robot.has_body()) return;
   const std::string_view key = robot.design_file ? "file" : table.has("digits") ? "digits" : "layers";
   if (const std::size_t parts = count_components(robot.design.body); parts > 1)
-    throw table.error(key, "the body is in " + std::to_string(parts) + " parts that are not joined by a side of a cell");
+    throw table.error(key, "the body is in " + std::to_string(parts) + " parts that are not joined by a side of a cell: " +
+                               cells_apart(robot.design.body) + " not joined to the largest part");
   if (const auto contact = first_weak_contact(robot.design.body)) {
     throw table.error(key, "cells " + cell_text(contact->first) + " and " + cell_text(contact->second) +
                                " touch only along an edge or at a corner: a cast body would break there");
@@ -68,6 +89,28 @@ void describe_body(io::StudyVisitor& visitor, Robot& robot) {
                 "ecoflex_00_50, or a file of your own (see materials/data).",
                 "\"dragon_skin_10\""},
                robot.silicone);
+  visitor.text({"law_name",
+                "Law in the record of the silicone: the recommended one, or the name of another. menger loop says which is the "
+                "softest."},
+               robot.law_name);
+  visitor.integer({"law_variant", "Number of the law, if the record has several of this name."}, robot.law_variant,
+                  io::at_least(1));
+}
+
+/// No silicone that can be cast moves at less.
+constexpr double least_drive_Pa = 100.0;
+/// Of the pressure that moves such walls.
+constexpr double least_drive_share = 0.1;
+
+/// Refuses kilopascals in place of pascals. What such walls need decides, too: very thin and soft ones move at some pascals.
+void check_drive(const Robot& robot, const io::TomlTable& top) {
+  if (!robot.pressure_Pa) return;
+  const double moves_Pa = usual_pressure_Pa(robot);
+  const double highest_Pa = robot.pressure_Pa->back();
+  if (highest_Pa >= least_drive_Pa || highest_Pa >= least_drive_share * moves_Pa) return;
+  throw top.table("drive").error("pressure_Pa", "is in pascals, 7 kPa are 7000: " + io::number_text(highest_Pa) +
+                                                    " Pa moves nothing where such walls take some " + io::number_text(moves_Pa) +
+                                                    " Pa");
 }
 
 bool is_number(const io::TomlTable& table, std::string_view key) {
@@ -193,6 +236,11 @@ Robot read_robot(const fs::path& file) {
   check_body(robot, table);
   robot.silicone_file = materials::silicone_file(table, "silicone");
   robot.record = table.reading("silicone", [&] { return materials::read_silicone(robot.silicone_file); });
+  robot.law = materials::law_in_record(table, robot.record, robot.law_name, robot.law_variant);
+  if (robot.search && robot.search->model != RobotSearchModel::finite_elements &&
+      robot.law_name != materials::recommended_law_name)
+    throw table.error("law_name", "a search on voxels takes the recommended law: set search.model = \"finite_elements\"");
+  check_drive(robot, top);
   return robot;
 }
 

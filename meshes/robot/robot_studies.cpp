@@ -10,6 +10,7 @@
 #include "io/text/is_file.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
+#include "materials/laws/study_law.h"
 #include "meshes/design/hollow_body_file.h"
 #include "meshes/robot/calibration_cases.h"
 #include "meshes/robot/known_parameters.h"
@@ -146,7 +147,7 @@ class StudyTexts {
     text_.add("duration_s", std::ceil(search_periods / robot_.frequency_Hz * duration_digits_per_s) / duration_digits_per_s);
     if (has_voxels) surrogate();
     if (has_elements) {
-      text_.table("material").add("silicone", silicone());
+      material();
       text_.table("elements").add("fidelity", "draft");
     }
     drive();
@@ -195,12 +196,23 @@ class StudyTexts {
     if (is_hollow) text_.add("wall_thickness_m", robot_.wall_thickness_m).add("chambers", word_of(robot_.chambers));
   }
 
-  void material() { text_.table("material").add("silicone", silicone()); }
+  void material() {
+    text_.table("material").add("silicone", silicone());
+    law();
+  }
+
+  void law() {
+    if (robot_.law_name == materials::recommended_law_name) return;
+    text_.add("law_name", robot_.law_name);
+    if (robot_.law_variant != 1) text_.add("law_variant", static_cast<std::int64_t>(robot_.law_variant));
+  }
 
   void thin_walls(std::string_view fidelity) { text_.table("elements").add("kind", "thin_wall").add("fidelity", fidelity); }
 
   void load_case_head() {
-    text_.add("silicone", silicone()).add("relative_uncertainty", 0.05);
+    text_.add("silicone", silicone());
+    law();
+    text_.add("relative_uncertainty", 0.05);
     text_.table("body").add("cell_edge_m", robot_.design.cell_edge_m).add("wall_thickness_m", robot_.wall_thickness_m);
     text_.table("elements").comment("Quadratic elements, one through a wall and one across a chamber.");
     text_.add("degree", 2).add("largest_element_m", std::round(robot_.span_m() * 1e9) / 1e9).add("growth", 4);

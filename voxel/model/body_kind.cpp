@@ -51,7 +51,7 @@ constexpr ByBodyKind<KindNames> kind_names{{{"limbs", "a body of limbs", "bodies
                                             {"flat_plate", "a flat plate", "flat plates"},
                                             {"plate_on_legs", "a plate on legs", "plates on legs"},
                                             {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
-                                            {"block", "a block", "blocks"},
+                                            {"block", "a block (every cell in a square of four)", "blocks"},
                                             {"aggregate", "an aggregate", "aggregates"}}};
 
 const KindNames& names_of(BodyKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }

@@ -36,6 +36,12 @@ KindErrors kind_errors(const io::CsvContents& table, std::size_t row) {
 
 std::string bodies_text(std::size_t count) { return count == 1 ? "1 body" : std::to_string(count) + " bodies"; }
 
+/// What the medians of a kind are taken over.
+std::string basis_text(const std::vector<std::string>& bodies) {
+  if (bodies.size() == 1) return "of one body alone, \"" + bodies.front() + "\", which tells little of others";
+  return "median over " + bodies_text(bodies.size()) + " of this kind that no fit has seen";
+}
+
 bool is_bad(const KindErrors& errors) { return !errors.displacement_median || *errors.displacement_median > largest_good_error; }
 
 /// "9 % in displacement and 4 % in chamber volume"
@@ -127,9 +133,8 @@ std::vector<std::string> expected_error_text(const KnownErrors& known, const Cal
   const BodyKind kind = kind_of(basal_body, calibrated.level);
   const std::optional<KindErrors>& errors = known.errors->of(kind);
   if (!errors) return {no_validation_of(kind)};
-  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + ": " + medians_text(*errors) +
-                                 " (median over " + bodies_text(errors->bodies.size()) + " of this kind that no fit has seen; " +
-                                 ninth_decile_text(*errors) + "); " + about_shape};
+  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + ": " + medians_text(*errors) + " (" +
+                                 basis_text(errors->bodies) + "; " + ninth_decile_text(*errors) + "); " + about_shape};
   if (is_bad(*errors)) lines.push_back(poor_model_of(kind));
   if (errors->wrong_signs > 0)
     lines.push_back(std::string(warning) + wrong_signs_text(*errors) +

@@ -179,14 +179,29 @@ void add_light(vtkRenderer& renderer) {
   renderer.AddLight(sun);
 }
 
-void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size) {
+void add_lines(vtkRenderer& renderer, vtkPolyData& lines, double line_width) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&lines);
+  mapper->ScalarVisibilityOff();
+  // drawn in front of what hides them
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.15, 0.17, 0.2);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+  actor->GetProperty()->LightingOff();
+  renderer.AddActor(actor);
+}
+
+void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up) {
   vtkNew<vtkTextActor> text;
   text->SetInput(caption.c_str());
   text->GetTextProperty()->SetFontSize(io::supersampling * font_size);
   text->GetTextProperty()->SetColor(0.15, 0.17, 0.2);
   text->GetTextProperty()->SetJustificationToCentered();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  text->SetPosition(across, 0.03);
+  text->SetPosition(across, up);
   renderer.AddViewProp(text);
 }
 

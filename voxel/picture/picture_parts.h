@@ -47,7 +47,10 @@ void add_floor(vtkRenderer& renderer, const Extent& ground, double height);
 void add_shadow(vtkRenderer& renderer, vtkPolyData& surface, double ground_height, double height);
 void add_trail(vtkRenderer& renderer, std::span<const Vector> trail);
 
-/// Adds a caption. @param across position of its middle, 0 to 1 from left to right
-void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size);
+/// Adds lines, which are also visible through bodies.
+void add_lines(vtkRenderer& renderer, vtkPolyData& lines, double line_width);
+
+/// Adds a caption. @param across position of its middle, 0 to 1 from left to right @param up of its lower end, 0 to 1 from below
+void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up = 0.03);
 
 }  // namespace menger::voxel

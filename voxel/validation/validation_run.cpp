@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 
+#include "io/shown/shown_quantity.h"
+#include "io/text/formatted.h"
 #include "io/text/whole_file.h"
 #include "voxel/statics/load_case_slopes.h"
 #include "voxel/validation/kept_fields.h"
@@ -114,13 +116,24 @@ std::size_t row_of(const CurveComparison& comparison, const ObservableError& err
   return found;
 }
 
+/// "extent_y_m: -0.9 mm in finite elements, 0.4 mm in the surrogate"
+std::string told(const ObservableError& error) {
+  const auto value = [&](double number) {
+    if (error.observable.ends_with("_m")) return io::millimetres(number);
+    return error.kind == ObservableKind::volume ? io::percents(number) : io::shown(number);
+  };
+  return error.observable + ": " + value(error.reference) + " in finite elements, " + value(error.surrogate) +
+         " in the surrogate";
+}
+
 void show_worst(ValidationResult& result, const ErrorPlace& worst, const SurrogateParameters& parameters,
                 const fs::path& curve_file, const fs::path& folder, bool pictures) {
   const CurveComparison& comparison = result.comparisons[worst.comparison];
   const SideBySide sides{.comparison = &comparison,
                          .parameters = parameters,
                          .fields = field_collection(curve_file, comparison.load_case().name),
-                         .pictured_row = row_of(comparison, comparison.errors[worst.error])};
+                         .pictured_row = row_of(comparison, comparison.errors[worst.error]),
+                         .finding = told(comparison.errors[worst.error])};
   const SideBySideOutcome outcome = write_side_by_side(folder, sides, pictures);
   result.notes.insert(result.notes.end(), outcome.notes.begin(), outcome.notes.end());
   if (pictures && outcome.states > 0) note_picture(result, outcome.picture);

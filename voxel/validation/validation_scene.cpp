@@ -136,6 +136,7 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
                             std::to_string(states.size()) + " rows of the curve: only those rows are shown");
   }
   std::vector<CollectionEntry> entries;
+  std::map<std::size_t, BodyBoxes> rest_by_row;
   std::vector<std::size_t> shown;
   // The rigid motion of a free body depends on its support and is not part of its response.
   const bool is_free = sides.comparison->load_case().kind == meshes::LoadCaseKind::inflation;
@@ -143,14 +144,17 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
     const auto elements = fields.find(row);
     if (sides.fields && elements == fields.end()) continue;
     const auto time = static_cast<double>(row);
+    Eigen::Isometry3d of_elements = Eigen::Isometry3d::Identity();
     Eigen::Isometry3d motion = is_free ? rigid_part(surrogate.rest, body).inverse() : Eigen::Isometry3d::Identity();
     if (sides.fields) {
       const vtkSmartPointer<vtkPolyData> surface = deformed_surface(elements->second);
       entries.push_back({time, numbered("elements", row), 0, "finite elements"});
       write_state(folder / entries.back().file, *as_grid(*surface), row, states[row]);
-      if (is_free) motion = rigid_part(*surface) * motion;
+      if (is_free) of_elements = rigid_part(*surface);
+      motion = of_elements * motion;
     }
     body = moved(std::move(body), motion);
+    rest_by_row.emplace(row, moved(surrogate.rest, of_elements));
     entries.push_back({time, numbered("voxels", row), 1, "voxels"});
     write_state(folder / entries.back().file, *grid_of(body, surrogate.rest), row, states[row]);
     shown.push_back(row);
@@ -165,8 +169,12 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
   if (!with_picture) return outcome;
   const auto not_before = std::lower_bound(shown.begin(), shown.end(), sides.pictured_row);
   const std::size_t row = not_before == shown.end() ? shown.back() : *not_before;
-  outcome.picture = draw_side_by_side(folder / "worst.png", sides.fields ? deformed_surface(fields.at(row)) : nullptr,
-                                      surrogate.by_row.at(row), caption_of(*sides.comparison, states[row]));
+  const vtkSmartPointer<vtkPolyData> elements = sides.fields ? deformed_surface(fields.at(row)) : nullptr;
+  outcome.picture = draw_side_by_side(folder / "worst.png", {.elements = elements,
+                                                             .surrogate = &surrogate.by_row.at(row),
+                                                             .rest = &rest_by_row.at(row),
+                                                             .caption = caption_of(*sides.comparison, states[row]),
+                                                             .finding = sides.finding});
   return outcome;
 }
 

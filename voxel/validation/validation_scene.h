@@ -20,6 +20,7 @@ struct SideBySide {
   /// the step with its pressure.
   std::optional<std::filesystem::path> fields{};
   std::size_t pictured_row = 0;  ///< row of the curve; if it is not shown, the next one shown
+  std::string finding{};         ///< what is wrong in that row, for the picture
 };
 
 /// The written states, the picture, and notes.
@@ -37,7 +38,7 @@ struct SideBySideOutcome {
 /// and shifted to the rigid motion of the finite elements (best fit; not without fields), because that motion depends on where
 /// the body is held and is not a response of either model. Point data of voxels: displacement_m. Cell data: material,
 /// volume_ratio (the active scalars). Field data of both: TimeValue, pressure_Pa, imposed. `worst.png` shows both models side by
-/// side in one row of the curve.
+/// side in one row of the curve, each with the outline of the body at rest.
 /// @throws io::InputError if the fields cannot be read or the folder cannot be written to
 SideBySideOutcome write_side_by_side(const std::filesystem::path& folder, const SideBySide& sides, bool with_picture = true);
 

@@ -80,9 +80,11 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
   expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
   EXPECT_EQ(verdict().find("softest law"), std::string::npos);
   write_limit("6000.0");  // the softest law of Dragon Skin 10 has 0.46 times the shear modulus
-  expect_has(verdict(),
-             "20 % or more below ballooning. By the softest law of its silicone (ogden1, Soft Robotics Materials "
-             "Database) it would balloon near 2.7");
+  expect_has(
+      verdict(),
+      "20 % or more below ballooning; these elements put limit pressures 6 to 12 % too high. By the softest law of its silicone "
+      "(ogden1, Soft Robotics Materials "
+      "Database) it would balloon near 2.7");
   write_limit("3500.0");
   expect_has(verdict(), "within 14 % of ballooning");
   write_limit("2500.0");
@@ -167,12 +169,27 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
   expect_has(found("validate"), "(medians); the surrogate ends after 11 of 12 states (wall_contact, walls meet)");
   write("0.1", "5");
   expect_has(verdict(),
-             "Do not trust the surrogate for this body: its shape is 10 % off in the median, and 5 of 10 displacements go the "
-             "wrong way");
+             "Do not trust the surrogate for this body: its shape is 10 % off in the median; 5 of 10 displacements go the "
+             "wrong way (the extent along x)");
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate for this body: its shape is 30 % off");
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");
-  expect_has(verdict(), "its shape is 5 % off in the median, all outside the range of the parameters; see validate/worst.png");
+  expect_has(verdict(),
+             "its shape is 5 % off in the median, all outside the range of pressures that the parameters were fitted in; see "
+             "validate/worst.png");
+}
+
+TEST_F(LoopFindings, VerdictCountsErrorsBeyondTheRangeOfTheParameters) {
+  io::write_whole(folder_ / "validate/summary.csv",
+                  "body,kind,range,median\nall,displacement,inside,0.1\nall,displacement,outside,0.4\nall,volume,inside,0.05\n");
+  io::write_whole(folder_ / "validate/signs.csv", "body,observable,count,wrong\nrobot,extent_x_m,5,0\n");
+  expect_has(
+      verdict(),
+      "Do not trust the surrogate for this body: its shape is 10 % off in the median, and 40 % outside the range of pressures "
+      "that the parameters were fitted in");
+  EXPECT_EQ(found("validate"),
+            "shape of this very body: 10 % off in displacements, 5 % in chamber volume (medians), and 40 % outside the range of "
+            "pressures that the parameters were fitted in");
 }
 
 }  // namespace

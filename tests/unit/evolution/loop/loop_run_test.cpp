@@ -324,7 +324,7 @@ TEST_F(LoopRunTest, WithoutATerminalLinesTellHowFarAStageIsAndItsLog) {
       .robot = folder_ / "robot.toml", .only = "validate", .programs = folder_ / "bin", .stop = &stop_, .tell_every_s = 0.0};
   EXPECT_EQ(run_loop(request, out), io::exit_code::done);
   EXPECT_TRUE(fs::exists(seen)) << text.str();
-  EXPECT_NE(text.str().find(" left (24 of 48 cases); see "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find(" left of its present job (24 of 48 cases); see "), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("logs/validate.txt\n"), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("\n4 of 7  validate        "), std::string::npos) << text.str();
 }

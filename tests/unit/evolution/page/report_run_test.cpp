@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/report_numbers.h"
@@ -70,6 +71,20 @@ ReportOptions quick() {
 
 bool has_note(const ReportResult& result, const std::string& text) {
   return std::ranges::any_of(result.notes, [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+TEST(ReportRun, TakesTheFolderAndTheFileOfARobotForTheResultsOfItsLoop) {
+  const tests::TestFolder folder;
+  const fs::path results = folder / "bench/results";
+  io::write_whole(folder / "bench/robot.toml", "[robot]\n");
+  write_walk(results / "locomote", "menger-locomote", "cube");
+  io::write_whole(results / loop_state_name, "{}");
+  write_loop_verdict(results, {.lines = {"It walks."}, .results = {}});
+  for (const fs::path& given : {folder / "bench", folder / "bench/robot.toml", results}) {
+    const ReportResult result = write_report(given, quick());
+    EXPECT_EQ(result.file, results / "report.html");
+    EXPECT_EQ(result.verdict.came_out, std::vector<std::string>{"It walks."}) << given;
+  }
 }
 
 TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {

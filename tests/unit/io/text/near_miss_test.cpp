@@ -23,5 +23,13 @@ TEST(NearMiss, IsNothingForAnotherWord) {
   EXPECT_EQ(near_miss("time", {}), std::nullopt);
 }
 
+TEST(NearMiss, MayLackAUnit) {
+  const std::vector<std::string> words{"frequency_Hz", "pressure_Pa", "pressure_ratio"};
+  EXPECT_EQ(near_miss("frequency", words), "frequency_Hz");
+  EXPECT_EQ(near_miss("pressure", words), std::nullopt);  // it may be either
+  EXPECT_EQ(near_miss("freq", words), std::nullopt);
+  EXPECT_EQ(near_miss("volume", std::vector<std::string>{"volume_ratio", "volume_change"}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace menger::io

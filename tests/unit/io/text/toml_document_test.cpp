@@ -134,11 +134,11 @@ TEST(TomlTable, RefusesAWrongType) {
   EXPECT_EQ(wrong("true", [](const TomlTable& t) { return t.number("a"); }), " = true: must be a number");
   EXPECT_EQ(wrong("1.0", [](const TomlTable& t) { return t.integer("a"); }), " = 1.0: must be an integer");
   EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.boolean("a"); }), " = 1: must be true or false");
-  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.text("a"); }), " = 1: must be a string");
-  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.path("a"); }), " = 1: must be a string");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.text("a"); }), " = 1: must be a text in quotes");
+  EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.path("a"); }), " = 1: must be a text in quotes");
   EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.numbers("a"); }), " = 1: must be an array of numbers");
   EXPECT_EQ(wrong("[1, \"2\"]", [](const TomlTable& t) { return t.numbers("a"); }), "[2] = \"2\": must be a number");
-  EXPECT_EQ(wrong("[1]", [](const TomlTable& t) { return t.texts("a"); }), "[1] = 1: must be a string");
+  EXPECT_EQ(wrong("[1]", [](const TomlTable& t) { return t.texts("a"); }), "[1] = 1: must be a text in quotes");
   EXPECT_EQ(wrong("[\"1\"]", [](const TomlTable& t) { return t.text_rows("a"); }), "[1] = \"1\": must be an array of strings");
   EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.table("a"); }), " = 1: must be a table");
   EXPECT_EQ(wrong("[1]", [](const TomlTable& t) { return t.tables("a"); }), "[1] = 1: must be a table");
@@ -228,7 +228,7 @@ TEST(TomlTable, IsUnaskedOnItsOwn) {
   const TomlTable other = table.table("inner").unasked();
   EXPECT_EQ(other.integer("b"), 2);
   EXPECT_NO_THROW(other.finish());
-  EXPECT_EQ(message([&] { (void)other.text("b"); }), "folder/study.toml:3: inner.b = 2: must be a string");
+  EXPECT_EQ(message([&] { (void)other.text("b"); }), "folder/study.toml:3: inner.b = 2: must be a text in quotes");
   EXPECT_EQ(table.integer("a"), 1);
   EXPECT_NE(message([&] { table.finish(); }).find("inner.b: unknown key"), std::string::npos);
 }

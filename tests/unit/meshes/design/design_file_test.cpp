@@ -123,7 +123,7 @@ TEST(DesignFile, RefusesMissingKeysAndWrongTypes) {
   EXPECT_NE(refusal("cell_edge_m = 0.01\nlayers = [[\"1\"]]\n").find("name is missing"), std::string::npos);
   EXPECT_NE(refusal("name = \"a\"\nlayers = [[\"1\"]]\n").find("cell_edge_m is missing"), std::string::npos);
   EXPECT_NE(refusal("name = \"a\"\ncell_edge_m = 0.01\n").find("layers is missing"), std::string::npos);
-  EXPECT_EQ(refusal_of_layers("[[1]]"), place(3) + "layers[1][1] = 1: must be a string");
+  EXPECT_EQ(refusal_of_layers("[[1]]"), place(3) + "layers[1][1] = 1: must be a text in quotes");
   EXPECT_EQ(refusal_of_layers("[\"1\"]"), place(3) + "layers[1] = \"1\": must be an array of strings");
 }
 
@@ -193,7 +193,7 @@ TEST(NamedDesign, IsRefusedWithThePlaceOfItsName) {
   const std::string message = tests::message_of([&] { (void)read_mesh_study(folder / "study.toml"); });
   const std::string study = (folder / "study.toml").string();
   const std::string design = (folder / "broken.toml").string();
-  EXPECT_EQ(message, study + ":2: design.file = \"broken.toml\": " + design + ":1: name = 1: must be a string");
+  EXPECT_EQ(message, study + ":2: design.file = \"broken.toml\": " + design + ":1: name = 1: must be a text in quotes");
 }
 
 }  // namespace

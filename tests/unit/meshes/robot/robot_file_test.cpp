@@ -8,6 +8,7 @@
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "materials/laws/hyperelastic_law.h"
 #include "meshes/robot/starting_points.h"
 #include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
@@ -50,15 +51,31 @@ TEST(RobotFile, PressureOfTheDriveScalesWithSiliconeAndWalls) {
 
 TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
   const tests::TestFolder folder;
-  EXPECT_EQ(law_summary_of(read_text(folder, table)),
-            "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
-            "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
-            "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it");
+  EXPECT_EQ(
+      law_summary_of(read_text(folder, table)),
+      "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
+      "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
+      "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it; law_name in robot.toml takes another one");
   Robot robot = read_text(folder, table);
   robot.record.others.resize(1);
   EXPECT_NE(law_summary_of(robot).find("; the other law of the record has 0.37 times as much (ogden1"), std::string::npos);
   robot.record.others.clear();
   EXPECT_NE(law_summary_of(robot).find("; the record has no other law"), std::string::npos);
+}
+
+TEST(RobotFile, LawIsThatOfTheRecordThatItNames) {
+  const tests::TestFolder folder;
+  const Robot usual = read_text(folder, table);
+  const Robot soft = read_text(folder, std::string(table) + "law_name = \"ogden1\"\n");
+  EXPECT_EQ(materials::name_of(usual.law.law), "neo_hookean");
+  EXPECT_EQ(materials::name_of(soft.law.law), "ogden1");
+  const double ratio = materials::shear_modulus_at_rest_Pa(soft.law.law) / materials::shear_modulus_at_rest_Pa(usual.law.law);
+  EXPECT_NEAR(ratio, 0.37, 0.005);
+  // two digits
+  EXPECT_NEAR(drive_pressure_Pa(soft)[1] / drive_pressure_Pa(usual)[1], ratio, 0.05 * ratio);
+  const std::string summary = law_summary_of(soft);
+  EXPECT_NE(summary.find("(ogden1, "), std::string::npos) << summary;
+  EXPECT_NE(summary.find("times as much (neo_hookean, modulus at 100 % strain"), std::string::npos) << summary;
 }
 
 TEST(RobotFile, IsToldFromOtherStudiesByItsTable) {
@@ -94,12 +111,22 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "the highest must be > 0");
   expect(whole + "[drive]\npressure_Pa = [1]\n", "pressure_Pa");
   expect(whole + "[drive]\npressure_Pa = 3000\n", "pressure_Pa = 3000: must be two numbers");
+  expect(whole + "[drive]\npressure_Pa = [0, 7]\n", "is in pascals, 7 kPa are 7000");
+  expect(whole + "[drive]\nfrequency = 7\n", "did you mean frequency_Hz?");
+  expect(whole + "law_name = \"jelly\"\n", "law_name = \"jelly\": the record has recommended, ");
+  expect(whole + "law_name = \"ogden1\"\n[search]\nmodel = \"both\"\n", "a search on voxels takes the recommended law");
   const auto expect_body = [&](const std::string& body, const std::string& part) {
     expect("[robot]\nsilicone = \"dragon_skin_10\"\n" + body, part);
   };
   expect_body("layers = [[\"1\"]]\ncell_edge_m = 12\n", "cell_edge_m = 12: is more than 0.5 m: lengths are in metres");
   expect_body("layers = [[\"1\"]]\ncell_edge_m = \"12mm\"\n", "cell_edge_m = \"12mm\": must be a number (metres)");
   expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [...]: the body is in 2 parts");
+  expect_body("layers = [[\"11011111\"]]\ncell_edge_m = 0.01\n",
+              ": cells (0, 0, 0), (1, 0, 0) are not joined to the largest part");
+  expect_body("layers = [[\"10101010111\"]]\ncell_edge_m = 0.01\n", ", (6, 0, 0) are not joined");
+  expect_body("layers = [[\"1010101010111\"]]\ncell_edge_m = 0.01\n", ", (6, 0, 0) and 1 more are not joined");
+  expect_body("layers = [[010]]\ncell_edge_m = 0.01\n", "a row of digits stands in quotes");
+  expect_body("layers = [[111]]\ncell_edge_m = 0.01\n", "layers[1][1] = 111: must be a text in quotes");
   expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "robot.digits = \"1001\": the body is in 2 parts");
   expect_body("layers = [[\"10\", \"01\"], [\"11\", \"01\"]]\ncell_edge_m = 0.01\n",
               "cells (0, 0, 0) and (1, 1, 0) touch only along an edge");

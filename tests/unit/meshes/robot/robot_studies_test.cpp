@@ -167,6 +167,26 @@ TEST(RobotStudies, NameASiliconeOfTheUserFromTheirOwnFolder) {
   EXPECT_EQ(study.table("material").text("silicone"), "../../mine.toml");
 }
 
+TEST(RobotStudies, TakeTheLawThatTheRobotNames) {
+  const tests::TestFolder folder;
+  const auto law_name = [&](const std::string& more, RobotStudy study, const std::string& in) {
+    const Robot robot = robot_of(folder, dragon_skin_1cm + more);
+    const io::TomlTable text = io::parse_toml(study_text(robot, study, RobotPlaces(robot.file)), "x");
+    return (in.empty() ? text : text.table(in)).text_or("law_name", "");
+  };
+  const std::string soft = "law_name = \"ogden1\"\n";
+  for (const RobotStudy study : {RobotStudy::inflate, RobotStudy::limit, RobotStudy::locomote}) {
+    EXPECT_EQ(law_name("", study, "material"), "");
+    EXPECT_EQ(law_name(soft, study, "material"), "ogden1");
+  }
+  EXPECT_EQ(law_name(soft, RobotStudy::load_cases, ""), "ogden1");
+  EXPECT_EQ(law_name(soft, RobotStudy::validate_load_cases, ""), "ogden1");
+  EXPECT_EQ(law_name(soft + "[search]\n", RobotStudy::evolve, "material"), "ogden1");
+  // Parameters that come with menger hold for the recommended law.
+  EXPECT_EQ(parameter_source(robot_of(folder, dragon_skin_1cm)), ParameterSource::known);
+  EXPECT_EQ(parameter_source(robot_of(folder, dragon_skin_1cm + soft)), ParameterSource::fitted);
+}
+
 TEST(CommandStudy, DerivesStudyAndFolderFromARobotAlone) {
   const tests::TestFolder folder;
   const Robot robot = robot_of(folder, dragon_skin_1cm);

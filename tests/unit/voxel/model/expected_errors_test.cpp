@@ -78,6 +78,13 @@ TEST_F(ErrorsBesideParameters, AreThoseOfTheKindOfABody) {
       << lines.front();
 }
 
+TEST_F(ErrorsBesideParameters, OfOneBodyNameIt) {
+  ExpectedErrors errors = example_errors();
+  errors.kinds[static_cast<std::size_t>(BodyKind::limbs)]->bodies = {"elbow"};
+  const std::string line = expected_error_text({.errors = errors}, body_of_known_errors(), bar).front();
+  EXPECT_NE(line.find("(of one body alone, \"elbow\", which tells little of others; "), std::string::npos) << line;
+}
+
 TEST_F(ErrorsBesideParameters, HaveNoPowersOfTenForPeople) {
   ExpectedErrors errors = example_errors();
   errors.kinds[static_cast<std::size_t>(BodyKind::limbs)]->displacement_median = 0.0995;
