@@ -1,9 +1,9 @@
 # Do aggregates of aggregates of an evolved body walk as the body does? The paper's main experiment.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "two_scales_$seed" "40 min of two cores" "a trial at the scales of 3 and 9 cells"
+  part "two_scales_$seed" "3 min of two cores" "20 generations at the scales of 3 and 9 cells"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "in_pieces_$seed" "40 min of two cores" "the same where aggregates may fall apart"
+  part "in_pieces_$seed" "3 min of two cores" "the same where aggregates may fall apart"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
 part_on_request three_scales "9 h of two cores" "a trial in single precision: 325 generations at three scales"

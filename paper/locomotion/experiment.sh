@@ -2,7 +2,7 @@
 part friction "2 min" "eighteen cells on grounds of friction 0.2 to 1.2"
 part directional_friction "2 min" "the same on a ground that resists more in one direction"
 part damping "1 min" "the same with a silicone that loses nothing to twice the usual guess"
-part robots "1 h of two cores" "the aggregate under its cam, and the uneven quadruped"
+part robots "9 min" "the aggregate under its cam, and the uneven quadruped"
 part_on_request basal "1 min" "both robots of the basal scale, at 6 kPa and 3 Hz"
 part_on_request airline_and_vacuum "hours" "the aggregate between an air line and a vacuum pump; ends as diverged"
 
