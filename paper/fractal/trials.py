@@ -109,6 +109,8 @@ def draw(arms):
     axes[1].set(ylabel="best robot at the end\n(body lengths per minute; line: median)", ylim=(0, None), xlim=(-0.5, len(arms) - 0.5))
     axes[1].set_xticks(range(len(arms)), [ARMS[arm][1].replace(", ", ",\n").replace(" evolved", "\nevolved") for arm in arms])
     axes[2].set(xlabel="generation", ylabel="Hausdorff dimension of the best robot\n(a line for each fractal trial)", ylim=(0.9, 3.1))
+    for panel in (axes[0], axes[2]):
+        panel.xaxis.get_major_locator().set_params(integer=True)
     for panel in axes:
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
