@@ -183,11 +183,12 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   return errors;
 }
 
-/// ", all outside the range of the parameters" or ", and 25 % outside the range of the parameters"
+/// Where the errors lie that the medians inside the range of the fit do not tell of.
 std::string range_text(const ShapeErrors& errors) {
-  constexpr const char* outside = " outside the range of pressures that the parameters were fitted in";
-  if (!errors.is_inside) return std::string(", all") + outside;
-  return errors.displacement_beyond ? ", and " + percents(*errors.displacement_beyond) + outside : "";
+  if (!errors.is_inside) return ", all at pressures that the fit of the parameters did not cover";
+  return errors.displacement_beyond ? ", and " + percents(*errors.displacement_beyond) +
+                                          " in displacements at pressures that the fit of the parameters did not cover"
+                                    : "";
 }
 
 /// "6 of 36 displacements go the wrong way (the extent along y)"
@@ -288,25 +289,50 @@ std::string shape_verdict(const ShapeErrors& errors) {
   return "Do not trust the surrogate for this body: " + reasons + "; see validate/worst.png.";
 }
 
-/// What the softest law of the record says of a drive that the law of the robot bears, if it does not bear it as well. Pressures
-/// go nearly with the shear modulus.
-std::string softest_law_verdict(const meshes::Robot& robot, double limit_Pa) {
+/// The softest law in the record of a silicone, where it is softer than the robot's.
+struct SoftestLaw {
+  std::string name;
+  double limit_Pa = 0.0;  ///< at which the body balloons by it
+};
+
+std::optional<SoftestLaw> softest_law(const meshes::Robot& robot, double limit_Pa) {
   const std::vector<materials::SourcedLaw> others = other_laws_of(robot);
-  if (others.empty()) return "";
+  if (others.empty()) return std::nullopt;
   const materials::SourcedLaw softest = materials::softest_and_stiffest(others).first;
   const double ratio = materials::shear_modulus_at_rest_Pa(softest.law) / materials::shear_modulus_at_rest_Pa(robot.law.law);
-  if (drive_pressure_Pa(robot)[1] <= meshes::largest_safe_share * std::min(ratio, 1.0) * limit_Pa) return "";
-  return " By the softest law of its silicone (" + meshes::named_law(softest) + ") it would balloon near " +
-         kilopascals(ratio * limit_Pa) + ": test the silicone that you cast.";
+  if (ratio >= 1.0) return std::nullopt;
+  return SoftestLaw{.name = meshes::named_law(softest), .limit_Pa = ratio * limit_Pa};
+}
+
+/// What is known of a drive whose limit pressure is known.
+std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  const double safe_Pa = meshes::largest_safe_share * limit_Pa;
+  const std::optional<SoftestLaw> softest = softest_law(robot, limit_Pa);
+  const bool is_near_softest = softest && drive_Pa > meshes::largest_safe_share * softest->limit_Pa;
+  const std::string by_softest = is_near_softest
+                                     ? " By the softest law of its silicone (" + softest->name + ") it balloons near " +
+                                           kilopascals(softest->limit_Pa) + ": test the silicone that you cast."
+                                     : "";
+  const std::string too_high = "These elements put limit pressures 6 to 12 % too high.";
+  const std::string lower = "lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less. " + too_high + by_softest;
+  if (drive_Pa > limit_Pa)
+    return "The body balloons at " + kilopascals(limit_Pa) + ", before it gets the pressure of its drive: " + lower;
+  if (drive_Pa > safe_Pa) return "The pressure is within " + percents(1.0 - drive_Pa / limit_Pa) + " of ballooning: " + lower;
+  if (softest && drive_Pa > softest->limit_Pa)
+    return "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " + kilopascals(safe_Pa) +
+           " it is 20 % or more below ballooning), but not by the softest law of its silicone (" + softest->name +
+           "): by that it balloons near " + kilopascals(softest->limit_Pa) + ". " + too_high +
+           " Test the silicone that you cast.";
+  return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning. " + too_high +
+         by_softest;
 }
 
 /// @param is_inflated whether the results have an inflation up to the pressure of the drive
 std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot, bool is_inflated) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const auto limit_Pa = limit_pressure_Pa(results);
-  if (limit_Pa && drive_Pa > *limit_Pa)
-    return "The body balloons before it gets the pressure of its drive: lower drive.pressure_Pa below " + kilopascals(*limit_Pa) +
-           ".";
+  if (limit_Pa && drive_Pa > *limit_Pa) return limit_verdict(robot, *limit_Pa);
   const auto inflation = is_inflated ? table_at(results / "inflate/result.toml") : std::nullopt;
   if (!inflation) return "";
   if (const std::string end = early_end(*inflation); !end.empty())
@@ -314,16 +340,39 @@ std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot
            ").";
   if (!limit_Pa)
     return "The body bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + ".";
-  if (drive_Pa > meshes::largest_safe_share * *limit_Pa)
-    return "The pressure is within " + percents(1.0 - drive_Pa / *limit_Pa) +
-           " of ballooning: a thin spot in a cast wall decides.";
-  return "The body bears its pressure: up to " + kilopascals(meshes::largest_safe_share * *limit_Pa) +
-         " it is 20 % or more below ballooning; these elements put limit pressures 6 to 12 % too high." +
-         softest_law_verdict(robot, *limit_Pa);
+  return limit_verdict(robot, *limit_Pa);
+}
+
+/// Growths of the chamber that differ by less than this are told as one.
+constexpr double same_growth = 0.05;
+
+/// How far the finite elements of the stages inflate and validate differ in the volume of the chamber at the pressure of the
+/// drive.
+std::string elements_verdict(const fs::path& results, const meshes::Robot& robot) {
+  if (robot.chambers != meshes::ChamberLayout::single) return "";
+  if (!io::is_file(results / "inflate/curves.csv") || !io::is_file(results / "validate/errors.csv")) return "";
+  const std::vector<double> volumes_m3 = chamber_volumes_m3(io::read_csv(results / "inflate/curves.csv"));
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  const io::CsvContents compared = io::read_csv(results / "validate/errors.csv");
+  for (std::size_t row = 0; row < compared.row_count(); ++row) {
+    const bool is_there =
+        compared.text(row, "observable") == "volume_change" && std::abs(compared.number(row, "pressure_Pa") - drive_Pa) <= 1.0;
+    if (!is_there || volumes_m3.size() < 2) continue;
+    const double thin = volumes_m3.back() / volumes_m3.front();
+    const double quadratic = 1.0 + compared.number(row, "finite_elements");
+    const double difference = std::abs(quadratic / thin - 1.0);
+    if (difference <= same_growth) return "";
+    return "The volume of its chamber is known to " + percents(difference) + ": at " + kilopascals(drive_Pa) + " it is " +
+           io::formatted("%.2f", thin) + " times that at rest by thin walls (inflate) and " + io::formatted("%.2f", quadratic) +
+           " times by quadratic elements (validate).";
+  }
+  return "";
 }
 
 std::string mesh_verdict(const Walk& coarser, const Walk& finer) {
   if (!are_as_long(coarser, finer)) return "The walks of a coarser and a finer mesh last differently long and are not compared.";
+  if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere)
+    return "On finite elements of a coarser and a finer mesh " + both(coarser, finer) + ".";
   if (agree(coarser, finer))
     return "Finite elements of a coarser and a finer mesh agree on the walk: " + both(coarser, finer) + ".";
   return "How it walks is not known: finite elements of a coarser and a finer mesh give " + both(coarser, finer) +
@@ -332,6 +381,8 @@ std::string mesh_verdict(const Walk& coarser, const Walk& finer) {
 
 std::string model_verdict(const Walk& voxels, const Walk& elements) {
   if (!are_as_long(voxels, elements)) return "The walks of both models last differently long and are not compared.";
+  if (agreement(voxels, elements) == meshes::WalkAgreement::both_go_nowhere)
+    return "It walks in neither model, so that the surrogate cannot be judged by its walk.";
   return (agree(voxels, elements) ? "The surrogate walks as finite elements do: "
                                   : "The surrogate does not walk as finite elements do: ") +
          both(voxels, elements) + " (voxels and finite elements).";
@@ -360,6 +411,16 @@ std::string overdrive(const fs::path& results, const meshes::Robot& robot) {
   }
 }
 
+std::optional<double> softest_limit_Pa(const fs::path& results, const meshes::Robot& robot) {
+  try {
+    const auto limit_Pa = limit_pressure_Pa(results);
+    const std::optional<SoftestLaw> softest = limit_Pa ? softest_law(robot, *limit_Pa) : std::nullopt;
+    return softest ? std::optional(softest->limit_Pa) : std::nullopt;
+  } catch (const io::InputError&) {
+    return std::nullopt;
+  }
+}
+
 std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Robot& robot, const std::set<std::string>& stages) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& line) {
@@ -367,6 +428,7 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
   };
   try {
     if (stages.contains("limit")) add(pressure_verdict(results, robot, stages.contains("inflate")));
+    if (stages.contains("inflate") && stages.contains("validate")) add(elements_verdict(results, robot));
     if (const auto errors = stages.contains("validate") ? shape_errors(results) : std::nullopt) add(shape_verdict(*errors));
     const auto walk_of = [&](const std::string& stage, const std::string& file, const std::string& model) {
       const auto result = stages.contains(stage) ? table_at(results / stage / file) : std::nullopt;

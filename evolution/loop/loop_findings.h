@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +17,10 @@ std::string stage_finding(const std::string& stage, const std::filesystem::path&
 /// Returns that a robot gets more pressure than its body bears, so that no walk of it can be computed; empty unless it does.
 /// @param results of the stages inflate and limit for this robot
 std::string overdrive(const std::filesystem::path& results, const meshes::Robot& robot);
+
+/// Returns the pressure at which the body balloons by the softest law in the record of its silicone: limit pressures go nearly
+/// with the shear modulus at rest. @return nothing if no limit pressure was found, or if no law is softer than the robot's
+std::optional<double> softest_limit_Pa(const std::filesystem::path& results, const meshes::Robot& robot);
 
 /// Returns what the results say together: whether the pressure is safe, whether both models walk alike, and how well the walk on
 /// finite elements is known. One sentence each; none for results that are not there. Walks that ended early are not compared.

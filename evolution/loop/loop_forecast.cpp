@@ -4,6 +4,8 @@
 
 #include "io/shown/shown_quantity.h"
 #include "io/text/is_file.h"
+#include "materials/laws/hyperelastic_law.h"
+#include "materials/laws/study_law.h"
 #include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
 
@@ -14,7 +16,9 @@ namespace fs = std::filesystem;
 
 std::string of_these_cells(const meshes::Robot& robot) {
   return "cells of " + io::millimetres(robot.design.cell_edge_m, 4) + " with walls of " +
-         io::millimetres(robot.wall_thickness_m, 4) + " in " + robot.record.name;
+         io::millimetres(robot.wall_thickness_m, 4) + " in " + robot.record.name +
+         (robot.law_name == materials::recommended_law_name ? ""
+                                                            : " by the law " + std::string(materials::name_of(robot.law.law)));
 }
 
 std::string source_text(const meshes::Robot& robot, const fs::path& parameters) {
@@ -44,6 +48,12 @@ std::string thick_wall_note(const meshes::Robot& robot) {
   return text;
 }
 
+std::string other_law_note(const meshes::Robot& robot) {
+  if (robot.pressure_Pa || robot.law_name == materials::recommended_law_name) return "";
+  return "note: drive.pressure_Pa is not given, so that " + io::kilopascals(drive_pressure_Pa(robot)[1]) +
+         " follows from this law; give it to compare laws at one pressure";
+}
+
 /// Up to this frequency pneumatic robots of this size are driven.
 constexpr double usual_drives_Hz = 20.0;
 
@@ -58,7 +68,7 @@ std::string fast_drive_note(const meshes::Robot& robot) {
 std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
   const fs::path file = parameters_of(robot, places);
   std::vector<std::string> lines{law_summary_of(robot), source_text(robot, file)};
-  for (const std::string& note : {thick_wall_note(robot), fast_drive_note(robot)}) {
+  for (const std::string& note : {other_law_note(robot), thick_wall_note(robot), fast_drive_note(robot)}) {
     if (!note.empty()) lines.push_back(note);
   }
   if (!io::is_file(file)) {

@@ -23,6 +23,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/progress.h"
 #include "io/process/told_progress.h"
+#include "io/shown/shown_quantity.h"
 #include "io/study/study_text.h"
 #include "io/text/content_hash.h"
 #include "io/text/input_error.h"
@@ -148,6 +149,10 @@ class LoopRun {
       if (last_ == &stage) break;
     }
     io::remove_if_there(told_file());
+    if (last_ != nullptr && last_->program != "menger-report") {
+      take_later_stages();
+      note_verdict();
+    }
     write_manifest();
     tell_end(code);
     return code;
@@ -356,9 +361,7 @@ class LoopRun {
     next_told_s_ = seconds + request_.tell_every_s;
     std::string text = "runs for " + io::duration_text(seconds);
     if (!earlier_time_.empty()) text += ", took " + earlier_time_ + " before";
-    if (told && told->part > 0.0 && told->part < 1.0)
-      text +=
-          ", about " + io::duration_text((seconds - job_began_s_) * (1.0 - told->part) / told->part) + " left of its present job";
+    if (told && told->part > 0.0 && told->part < 1.0) text += ", has done " + io::percents(told->part) + " of its present job";
     if (told && !told->note.empty()) text += " (" + told->note + ")";
     begin_line(n);
     out_ << text << "; see " << shown(log_of(stage)) << std::endl;
@@ -368,8 +371,6 @@ class LoopRun {
   io::ChildOutcome start(const LoopStage& stage, std::size_t n, const std::vector<std::string>& arguments, double expected_s) {
     io::remove_if_there(told_file());
     next_told_s_ = request_.tell_every_s;
-    job_began_s_ = 0.0;
-    told_part_ = 0.0;
     io::ChildProgram child{.program = request_.programs / stage.program,
                            .arguments = arguments,
                            .folder = places_.results,
@@ -381,9 +382,6 @@ class LoopRun {
       // A program may need longer for what it has than this one would be given: its checkpoint, or its walks.
       if (request_.stop != nullptr && *request_.stop) io::come_to_stop();
       const std::optional<io::ToldProgress> told = io::told_progress(told_file());
-      // It begins another job.
-      if (told && told->part < told_part_) job_began_s_ = seconds;
-      told_part_ = told ? told->part : 0.0;
       // A program that has told nothing yet is taken to need as long as expected.
       tell_waiting(stage, n, seconds, told);
       bar.update(told ? told->part : std::min(seconds / expected_s, 0.99), told ? told->note : "");
@@ -466,6 +464,14 @@ class LoopRun {
     io::write_manifest(places_.results, manifest);
   }
 
+  /// Counts the results of stages after --until among those of this robot, where they are.
+  void take_later_stages() {
+    for (const LoopStage& stage : stages_) {
+      if (current_.contains(stage.name) || (stage.needs_body && !robot_.has_body()) || stage.program == "menger-report") continue;
+      if (lacks(stage).empty() && is_current(stage, state_->find(stage.name), key_of(stage))) current_.insert(stage.name);
+    }
+  }
+
   /// What came out. It is found once, so that the report and the terminal say it in the same words.
   const std::vector<std::string>& verdict() {
     if (!verdict_) verdict_ = loop_verdict(places_.results, robot_, current_);
@@ -474,17 +480,20 @@ class LoopRun {
 
   /// Leaves what came out for the report.
   void note_verdict() {
-    LoopVerdict noted{.lines = verdict()};
+    LoopVerdict noted{.lines = verdict(), .softest_limit_Pa = softest_limit_Pa(places_.results, robot_)};
+    if (!current_.contains("limit")) noted.softest_limit_Pa.reset();
     for (const LoopStage& stage : stages_) {
-      if (!current_.contains(stage.name)) continue;
+      if (!current_.contains(stage.name)) {
+        if (!stage.manifest.empty() && stage.program != "menger-report") noted.left_behind.push_back(stage.name);
+        continue;
+      }
       if (const std::string hash = manifest_hash(stage); !hash.empty()) noted.results[stage.manifest] = hash;
     }
     write_loop_verdict(places_.results, noted);
   }
 
   void tell_end(int code) {
-    const bool is_whole = only_ == nullptr && last_ == nullptr;
-    if (is_whole && !verdict().empty()) {
+    if (only_ == nullptr && !verdict().empty()) {
       out_ << "\nWhat came out:\n";
       for (const std::string& line : verdict()) out_ << "- " << line << '\n';
     }
@@ -499,7 +508,7 @@ class LoopRun {
                                       {"export", "export/champion.png"}}) {
       if (current_.contains(stage) && io::is_file(places_.results / file)) files.push_back(shown(places_.results / file));
     }
-    if (!files.empty() && is_whole) out_ << "Look at " << io::joined(files) << ".\n";
+    if (!files.empty() && only_ == nullptr) out_ << "Look at " << io::joined(files) << ".\n";
     if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";
     out_ << std::flush;
   }
@@ -517,8 +526,6 @@ class LoopRun {
   std::set<std::string> current_;              ///< stages whose results this call has found or made, for the robot as it is now
   bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
   std::string earlier_time_{};                 ///< that the stage took before; empty if it never ended
-  double job_began_s_ = 0.0;                   ///< time in a stage at which its program began the job that it tells of
-  double told_part_ = 0.0;                     ///< of that job
   double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
   std::optional<std::vector<std::string>> verdict_;  ///< once all stages before the report have ended
   bool is_body_refused_ = false;                     ///< by menger mesh, in this call

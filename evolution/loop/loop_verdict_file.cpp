@@ -19,8 +19,12 @@ bool LoopVerdict::is_current(const fs::path& results_folder) const {
 }
 
 void write_loop_verdict(const fs::path& results, const LoopVerdict& verdict) {
-  const nlohmann::json whole{
-      {"program", "menger-loop"}, {"version", io::version()}, {"came_out", verdict.lines}, {"manifests_sha256", verdict.results}};
+  nlohmann::json whole{{"program", "menger-loop"},
+                       {"version", io::version()},
+                       {"came_out", verdict.lines},
+                       {"manifests_sha256", verdict.results},
+                       {"left_behind", verdict.left_behind}};
+  if (verdict.softest_limit_Pa) whole["softest_limit_Pa"] = *verdict.softest_limit_Pa;
   io::write_whole(results / loop_verdict_name, whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
@@ -30,8 +34,11 @@ std::optional<LoopVerdict> read_loop_verdict(const fs::path& results) {
   const std::string text = io::read_whole(file);
   try {
     const nlohmann::json whole = nlohmann::json::parse(text);
-    return LoopVerdict{.lines = whole.at("came_out").get<std::vector<std::string>>(),
-                       .results = whole.at("manifests_sha256").get<std::map<std::string, std::string>>()};
+    LoopVerdict verdict{.lines = whole.at("came_out").get<std::vector<std::string>>(),
+                        .results = whole.at("manifests_sha256").get<std::map<std::string, std::string>>(),
+                        .left_behind = whole.at("left_behind").get<std::vector<std::string>>()};
+    if (whole.contains("softest_limit_Pa")) verdict.softest_limit_Pa = whole.at("softest_limit_Pa").get<double>();
+    return verdict;
   } catch (const nlohmann::json::exception&) {
     throw io::InputError(file.string() + ": is no verdict of a loop; run the loop again");
   }

@@ -44,18 +44,29 @@ std::optional<std::string> read_picture(const fs::path& file, std::size_t most_b
   return std::nullopt;
 }
 
-/// What the loop that made these results said of them; nothing if no loop did, or if they have changed since.
-std::vector<std::string> came_out(const fs::path& folder, std::vector<std::string>& notes) {
+/// What the loop that made these results left for their report; nothing if no loop did, or if they have changed since.
+LoopVerdict verdict_of_loop(const fs::path& folder, std::vector<std::string>& notes) {
   try {
     std::optional<LoopVerdict> verdict = read_loop_verdict(folder);
     if (!verdict) return {};
-    if (verdict->is_current(folder)) return std::move(verdict->lines);
+    if (verdict->is_current(folder)) return std::move(*verdict);
     notes.push_back(std::string(loop_verdict_name) +
                     ": what the loop said came out is of earlier results, and is left out; run menger loop again");
   } catch (const io::InputError& error) {
     notes.emplace_back(error.what());
   }
   return {};
+}
+
+/// Leaves out what stages of a loop computed for an earlier robot.
+void leave_out(const std::vector<std::string>& stages, std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {
+  for (const std::string& stage : stages) {
+    const auto is_of_stage = [&](const CommandOutput& output) {
+      return output.place == stage || output.place.starts_with(stage + "/");
+    };
+    if (std::erase_if(outputs, is_of_stage) > 0)
+      notes.push_back(stage + ": is of an earlier robot.toml, and is left out; run menger loop again");
+  }
 }
 
 /// What a picture shows, for people.
@@ -214,7 +225,9 @@ ReportResult write_report(const fs::path& given, const ReportOptions& options) {
       .file = options.file.empty() ? folder / "report.html" : options.file, .verdict = {}, .animations = {}, .notes = {}};
   ReportPage page{.title = {}, .made = {}, .verdict = {}};
   tell("look for results", 0.0);
-  const std::vector<CommandOutput> outputs = find_command_outputs(folder, page.notes);
+  std::vector<CommandOutput> outputs = find_command_outputs(folder, page.notes);
+  const LoopVerdict loop = verdict_of_loop(folder, page.notes);
+  leave_out(loop.left_behind, outputs, page.notes);
   if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
   result.outputs = outputs.size();
   page.title = title_of(folder, outputs);
@@ -223,9 +236,10 @@ ReportResult write_report(const fs::path& given, const ReportOptions& options) {
                     .lexically_normal()
                     .lexically_relative(fs::absolute(result.file).lexically_normal().parent_path())
                     .generic_string();
-  const ReportFacts facts = read_facts(outputs, page.notes);
+  ReportFacts facts = read_facts(outputs, page.notes);
+  facts.softest_limit_Pa = loop.softest_limit_Pa;
   page.verdict = verdict_of(facts);
-  page.verdict.came_out = came_out(folder, page.notes);
+  page.verdict.came_out = loop.lines;
   page.inputs = input_table(outputs, folder);
   page.sections = report_sections(outputs, page.notes);
   tell("read motions", 0.1);

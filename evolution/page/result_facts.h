@@ -139,6 +139,8 @@ struct ReportFacts {
   std::vector<SearchFacts> searches{};
   std::vector<ModesFacts> modes{};
   std::vector<ShippedParameters> shipped{};  ///< each file once
+  /// At which the body of a loop balloons by the softest law of its silicone, where that is softer than the law it has.
+  std::optional<double> softest_limit_Pa{};
 };
 
 /// Reads what the outputs say. @param notes gets a sentence for every file that is missing or cannot be read

@@ -66,12 +66,14 @@ std::string share_text(double share) {
 
 /// Pressures of other results of the body of an inflation.
 struct KnownPressures {
-  std::optional<double> drive_Pa{};  ///< the highest of the drives of its walks
-  std::optional<double> limit_Pa{};  ///< the lowest limit pressure of its inflations
+  std::optional<double> drive_Pa{};          ///< the highest of the drives of its walks
+  std::optional<double> limit_Pa{};          ///< the lowest limit pressure of its inflations
+  std::optional<double> softest_limit_Pa{};  ///< by the softest law of its silicone
 };
 
 KnownPressures known_pressures(const ReportFacts& facts, const InflationFacts& inflation) {
   KnownPressures known;
+  known.softest_limit_Pa = facts.softest_limit_Pa;
   for (const WalkFacts& walk : facts.walks) {
     const auto& drive_Pa = walk.stated.highest_pressure_Pa;
     if (drive_Pa && are_of_one_body(walk.stated, inflation.stated))
@@ -106,6 +108,10 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
     finding.tone = tone_of_share(share);
     finding.text += " The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure" +
                     meaning_of_share(share) + ".";
+  }
+  if (known.drive_Pa && known.softest_limit_Pa && *known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa) {
+    finding.tone = std::max(finding.tone, Tone::caution);
+    finding.text += " By the softest law of its silicone it balloons near " + io::kilopascals(*known.softest_limit_Pa) + ".";
   }
   if (facts.stated.elements == "thin_wall")
     finding.text += " Thin-wall elements give limit pressures 6 to 12 % higher than three-field elements (fem/README.md).";

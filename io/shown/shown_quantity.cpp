@@ -5,10 +5,19 @@
 #include "io/text/formatted.h"
 
 namespace menger::io {
+namespace {
+
+/// Nobody means less: what rounding leaves of nothing is told as nothing.
+constexpr double least_length_m = 1e-8;
+constexpr double least_body_lengths = 1e-6;
+
+}  // namespace
 
 std::string kilopascals(double pressure_Pa, int digits) { return shown(1e-3 * pressure_Pa, digits) + " kPa"; }
 
-std::string millimetres(double length_m, int digits) { return shown(1e3 * length_m, digits) + " mm"; }
+std::string millimetres(double length_m, int digits) {
+  return shown(std::abs(length_m) < least_length_m ? 0.0 : 1e3 * length_m, digits) + " mm";
+}
 
 std::string percents(double fraction) {
   const double percent = 100.0 * fraction;
@@ -16,7 +25,7 @@ std::string percents(double fraction) {
 }
 
 std::string body_lengths(double number) {
-  const std::string text = shown(number, 2);
+  const std::string text = shown(std::abs(number) < least_body_lengths ? 0.0 : number, 2);
   return text + (text == "1" ? " body length" : " body lengths");
 }
 

@@ -14,9 +14,13 @@
 namespace menger::io {
 namespace {
 
-/// People write the rows of a body without quotes: 010.
+/// What people mean by something that is not TOML.
 std::string hint_on(std::string_view problem) {
-  return problem.find("leading zeroes") == std::string_view::npos ? "" : "; a row of digits stands in quotes, as in \"010\"";
+  const auto has = [&](std::string_view part) { return problem.find(part) != std::string_view::npos; };
+  if (has("leading zeroes")) return "; a row of digits stands in quotes, as in \"010\"";
+  if (has("could not determine value type")) return "; text stands in quotes";
+  if (has("saw ','")) return "; decimals have a point, as in 0.012";
+  return "";
 }
 
 }  // namespace

@@ -59,7 +59,16 @@ const toml::node* TomlTable::Node::find(std::string_view key) {
 
 const toml::node& TomlTable::Node::require(std::string_view key, std::string_view wanted) {
   if (const toml::node* node = find(key)) return *node;
-  throw InputError(where(*table) + prefix + std::string(key) + " is missing: " + std::string(wanted) + " is needed");
+  throw InputError(where(*table) + prefix + std::string(key) + " is missing" + meant_by(key) + ": " + std::string(wanted) +
+                   " is needed");
+}
+
+std::string TomlTable::Node::meant_by(std::string_view key) const {
+  for (const auto& [other, node] : *table) {
+    if (!asked.contains(other.str()) && near_miss(other.str(), std::vector{std::string(key)}))
+      return ", is it meant by " + key_text(other.str()) + "?";
+  }
+  return "";
 }
 
 std::string TomlTable::Node::where(const toml::node& node) const {

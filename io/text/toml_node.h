@@ -42,6 +42,9 @@ struct TomlTable::Node {
   const toml::node* find(std::string_view key);
   const toml::node& require(std::string_view key, std::string_view wanted);
 
+  /// ", is it meant by KEY?" with a key of the table that nobody has asked for and that is nearly the one that is missing.
+  [[nodiscard]] std::string meant_by(std::string_view key) const;
+
   /// Returns the start of a message: "file:line: ".
   [[nodiscard]] std::string where(const toml::node& node) const;
   [[nodiscard]] InputError fault(std::string_view name, const toml::node& node, std::string_view reason) const;

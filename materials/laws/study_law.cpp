@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "io/text/joined_text.h"
+#include "io/text/near_miss.h"
 #include "io/text/number_text.h"
 #include "materials/laws/law_file.h"
 #include "materials/laws/silicone_library.h"
@@ -156,9 +159,12 @@ SourcedLaw law_in_record(const io::TomlTable& table, const SiliconeRecord& recor
   }
   const std::vector<const SourcedLaw*> matches = laws_with_name(record, law_name);
   if (matches.empty()) {
-    std::string known(recommended_law_name);
-    for (const SourcedLaw& other : record.others) known.append(", ").append(name_of(other.law));
-    throw table.error("law_name", "the record has " + known);
+    std::vector<std::string> names{std::string(recommended_law_name)};
+    for (const SourcedLaw& other : record.others) {
+      if (std::ranges::find(names, name_of(other.law)) == names.end()) names.emplace_back(name_of(other.law));
+    }
+    const std::optional<std::string> meant = io::near_miss(law_name, names);
+    throw table.error("law_name", "the record has " + io::joined(names) + (meant ? ", did you mean " + *meant + "?" : ""));
   }
   if (law_variant > matches.size())
     throw table.error("law_variant", "the record has " + std::to_string(matches.size()) + " of " + law_name);

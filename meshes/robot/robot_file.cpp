@@ -108,7 +108,8 @@ void check_drive(const Robot& robot, const io::TomlTable& top) {
   const double moves_Pa = usual_pressure_Pa(robot);
   const double highest_Pa = robot.pressure_Pa->back();
   if (highest_Pa >= least_drive_Pa || highest_Pa >= least_drive_share * moves_Pa) return;
-  throw top.table("drive").error("pressure_Pa", "is in pascals, 7 kPa are 7000: " + io::number_text(highest_Pa) +
+  throw top.table("drive").error("pressure_Pa", "is in pascals, and " + io::number_text(highest_Pa) + " kPa are " +
+                                                    io::number_text(1e3 * highest_Pa) + ": " + io::number_text(highest_Pa) +
                                                     " Pa moves nothing where such walls take some " + io::number_text(moves_Pa) +
                                                     " Pa");
 }

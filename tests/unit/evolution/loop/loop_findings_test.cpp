@@ -77,18 +77,43 @@ TEST_F(LoopFindings, AreEmptyForResultsThatTheyCannotRead) {
 TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
   write_inflation("completed");
   write_limit("12000.0");
-  expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
+  expect_has(verdict(),
+             "The body bears its pressure: up to 9.6 kPa it is 20 % or more below ballooning. These elements put limit "
+             "pressures 6 to 12 % too high.");
   EXPECT_EQ(verdict().find("softest law"), std::string::npos);
-  write_limit("6000.0");  // the softest law of Dragon Skin 10 has 0.46 times the shear modulus
-  expect_has(
-      verdict(),
-      "20 % or more below ballooning; these elements put limit pressures 6 to 12 % too high. By the softest law of its silicone "
-      "(ogden1, Soft Robotics Materials "
-      "Database) it would balloon near 2.7");
+  // The softest law of Dragon Skin 10 has 0.46 times the shear modulus.
+  EXPECT_NEAR(softest_limit_Pa(folder_, robot_).value(), 0.464 * 12000.0, 5.0);
+  write_limit("7000.0");
+  expect_has(verdict(), "The body bears its pressure: up to 5.6 kPa");
+  expect_has(verdict(), "By the softest law of its silicone (ogden1, Soft Robotics Materials Database) it balloons near 3.2");
+  write_limit("6000.0");
+  expect_has(verdict(),
+             "The body bears 3 kPa by the law of the file (up to 4.8 kPa it is 20 % or more below ballooning), but not by the "
+             "softest law of its silicone (ogden1, Soft Robotics Materials Database): by that it balloons near 2.7");
   write_limit("3500.0");
-  expect_has(verdict(), "within 14 % of ballooning");
+  expect_has(verdict(),
+             "within 14 % of ballooning: lower drive.pressure_Pa to 2.8 kPa or less. These elements put limit pressures "
+             "6 to 12 % too high. By the softest law");
   write_limit("2500.0");
-  expect_has(verdict(), "lower drive.pressure_Pa below 2.5 kPa");
+  expect_has(verdict(),
+             "balloons at 2.5 kPa, before it gets the pressure of its drive: lower drive.pressure_Pa to 2 kPa or less.");
+}
+
+TEST_F(LoopFindings, VerdictSaysWhereFiniteElementsDiffer) {
+  write_inflation("completed");
+  io::write_whole(folder_ / "inflate/curves.csv", "step,plenum_0_volume_m3\n0,1e-6\n1,1.5e-6\n");
+  const auto write = [&](const std::string& change) {
+    io::write_whole(folder_ / "validate/errors.csv",
+                    "observable,pressure_Pa,finite_elements\nextent_x_m,3000,1e-4\nvolume_change,"
+                    "1500,0.1\nvolume_change,3000," +
+                        change + "\n");
+  };
+  write("0.52");
+  EXPECT_EQ(verdict().find("is known to"), std::string::npos) << verdict();
+  write("0.65");
+  expect_has(verdict(),
+             "The volume of its chamber is known to 10 %: at 3 kPa it is 1.50 times that at rest by thin walls (inflate) "
+             "and 1.65 times by quadratic elements (validate).");
 }
 
 TEST_F(LoopFindings, VerdictKnowsTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
@@ -175,7 +200,7 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
   expect_has(verdict(), "Do not trust the surrogate for this body: its shape is 30 % off");
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");
   expect_has(verdict(),
-             "its shape is 5 % off in the median, all outside the range of pressures that the parameters were fitted in; see "
+             "its shape is 5 % off in the median, all at pressures that the fit of the parameters did not cover; see "
              "validate/worst.png");
 }
 
@@ -185,11 +210,11 @@ TEST_F(LoopFindings, VerdictCountsErrorsBeyondTheRangeOfTheParameters) {
   io::write_whole(folder_ / "validate/signs.csv", "body,observable,count,wrong\nrobot,extent_x_m,5,0\n");
   expect_has(
       verdict(),
-      "Do not trust the surrogate for this body: its shape is 10 % off in the median, and 40 % outside the range of pressures "
-      "that the parameters were fitted in");
+      "Do not trust the surrogate for this body: its shape is 10 % off in the median, and 40 % in displacements at pressures "
+      "that the fit of the parameters did not cover");
   EXPECT_EQ(found("validate"),
-            "shape of this very body: 10 % off in displacements, 5 % in chamber volume (medians), and 40 % outside the range of "
-            "pressures that the parameters were fitted in");
+            "shape of this very body: 10 % off in displacements, 5 % in chamber volume (medians), and 40 % in "
+            "displacements at pressures that the fit of the parameters did not cover");
 }
 
 }  // namespace

@@ -163,11 +163,24 @@ TEST_F(LoopRunTest, WhatTheBodyDoesNotBearIsNotWalkedWith) {
   EXPECT_NE(out_.str().find("locomote        left out: it balloons at 8 kPa, before the 9 kPa of drive.pressure_Pa"),
             std::string::npos)
       << out_.str();
-  EXPECT_NE(out_.str().find("lower drive.pressure_Pa below 8 kPa"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("lower drive.pressure_Pa to 6.4 kPa or less"), std::string::npos) << out_.str();
   // No report may take the walk of the former drive for one of this drive.
   EXPECT_FALSE(fs::exists(folder_ / "results/locomote/manifest.json"));
   EXPECT_EQ(run("", "locomote"), io::exit_code::done);  // who asks for it gets it
   EXPECT_EQ(called(), Names{"locomote"});
+}
+
+TEST_F(LoopRunTest, UntilAStageTheReportIsToldWhatIsOfAnEarlierRobot) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_EQ(read_loop_verdict(folder_ / "results").value().left_behind, Names{});
+  add("[drive]\npressure_Pa = [0, 2000]\n");
+  EXPECT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_EQ(read_loop_verdict(folder_ / "results").value().left_behind,
+            (Names{"validate", "simulate", "locomote", "locomote_finer"}));
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_EQ(read_loop_verdict(folder_ / "results").value().left_behind, Names{});
 }
 
 TEST_F(LoopRunTest, StageThatWasStoppedOrFailedLeavesNothingThatAReportShows) {
@@ -324,7 +337,7 @@ TEST_F(LoopRunTest, WithoutATerminalLinesTellHowFarAStageIsAndItsLog) {
       .robot = folder_ / "robot.toml", .only = "validate", .programs = folder_ / "bin", .stop = &stop_, .tell_every_s = 0.0};
   EXPECT_EQ(run_loop(request, out), io::exit_code::done);
   EXPECT_TRUE(fs::exists(seen)) << text.str();
-  EXPECT_NE(text.str().find(" left of its present job (24 of 48 cases); see "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find(", has done 50 % of its present job (24 of 48 cases); see "), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("logs/validate.txt\n"), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("\n4 of 7  validate        "), std::string::npos) << text.str();
 }

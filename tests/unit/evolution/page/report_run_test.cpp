@@ -87,6 +87,17 @@ TEST(ReportRun, TakesTheFolderAndTheFileOfARobotForTheResultsOfItsLoop) {
   }
 }
 
+TEST(ReportRun, LeavesOutWhatStagesComputedForAnEarlierRobot) {
+  const tests::TestFolder folder;
+  write_walk(folder / "locomote", "menger-locomote", "cube");
+  write_walk(folder / "simulate", "menger-simulate", "cube");
+  write_loop_verdict(folder, {.lines = {"It walks."}, .results = {}, .left_behind = {"simulate", "limit"}});
+  const ReportResult result = write_report(folder, quick());
+  EXPECT_EQ(result.outputs, 1U);
+  EXPECT_TRUE(has_note(result, "simulate: is of an earlier robot.toml"));
+  EXPECT_FALSE(has_note(result, "limit: "));
+}
+
 TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
   const tests::TestFolder folder;
   write_walk(folder / "locomote", "menger-locomote", "cube");

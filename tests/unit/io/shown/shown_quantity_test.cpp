@@ -11,6 +11,13 @@ TEST(ShownQuantity, HasTheUnitsOfFigures) {
   EXPECT_EQ(millimetres(0.00296), "2.96 mm");
 }
 
+TEST(ShownQuantity, TellsWhatRoundingLeavesAsNothing) {
+  EXPECT_EQ(millimetres(1.55e-9), "0 mm");
+  EXPECT_EQ(millimetres(-1.55e-9), "0 mm");
+  EXPECT_EQ(millimetres(1.55e-8), "1.55e-05 mm");
+  EXPECT_EQ(body_lengths(-2.3e-7), "0 body lengths");
+}
+
 TEST(ShownQuantity, WritesNoShareWithAPowerOfTen) {
   EXPECT_EQ(percents(0.0662), "6.6 %");
   EXPECT_EQ(percents(0.0999), "10 %");

@@ -51,11 +51,11 @@ TEST(RobotFile, PressureOfTheDriveScalesWithSiliconeAndWalls) {
 
 TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
   const tests::TestFolder folder;
-  EXPECT_EQ(
-      law_summary_of(read_text(folder, table)),
-      "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
-      "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
-      "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it; law_name in robot.toml takes another one");
+  EXPECT_EQ(law_summary_of(read_text(folder, table)),
+            "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
+            "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
+            "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it; law_name in robot.toml "
+            "takes another one");
   Robot robot = read_text(folder, table);
   robot.record.others.resize(1);
   EXPECT_NE(law_summary_of(robot).find("; the other law of the record has 0.37 times as much (ogden1"), std::string::npos);
@@ -111,8 +111,14 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "the highest must be > 0");
   expect(whole + "[drive]\npressure_Pa = [1]\n", "pressure_Pa");
   expect(whole + "[drive]\npressure_Pa = 3000\n", "pressure_Pa = 3000: must be two numbers");
-  expect(whole + "[drive]\npressure_Pa = [0, 7]\n", "is in pascals, 7 kPa are 7000");
+  expect(whole + "[drive]\npressure_Pa = [0, 7]\n",
+         "is in pascals, and 7 kPa are 7000: 7 Pa moves nothing where such walls take some 6000 Pa");
   expect(whole + "[drive]\nfrequency = 7\n", "did you mean frequency_Hz?");
+  expect("[robot]\nlayers = [[\"1\"]]\ncell_edge = 0.01\nsilicone = \"dragon_skin_10\"\n",
+         "robot.cell_edge_m is missing, is it meant by cell_edge?");
+  expect("[robot]\ncell_edge_m = 0,012\n", "decimals have a point");
+  expect("[robot]\nsilicone = ecoflex_00_30\n", "text stands in quotes");
+  expect(whole + "law_name = \"ogden\"\n", ", did you mean ogden1?");
   expect(whole + "law_name = \"jelly\"\n", "law_name = \"jelly\": the record has recommended, ");
   expect(whole + "law_name = \"ogden1\"\n[search]\nmodel = \"both\"\n", "a search on voxels takes the recommended law");
   const auto expect_body = [&](const std::string& body, const std::string& part) {
