@@ -319,11 +319,12 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
   if (drive_Pa > limit_Pa)
     return "The body balloons at " + kilopascals(limit_Pa) + ", before it gets the pressure of its drive: " + lower;
   if (drive_Pa > safe_Pa) return "The pressure is within " + percents(1.0 - drive_Pa / limit_Pa) + " of ballooning: " + lower;
-  if (softest && drive_Pa > softest->limit_Pa)
+  if (softest && drive_Pa > softest->limit_Pa) {
     return "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " + kilopascals(safe_Pa) +
            " it is 20 % or more below ballooning), but not by the softest law of its silicone (" + softest->name +
            "): by that it balloons near " + kilopascals(softest->limit_Pa) + ". " + too_high +
            " Test the silicone that you cast.";
+  }
   return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning. " + too_high +
          by_softest;
 }

@@ -216,8 +216,8 @@ fs::path results_in(const fs::path& given) {
 
 }  // namespace
 
-ReportResult write_report(const fs::path& given, const ReportOptions& options) {
-  const fs::path folder = results_in(given);
+ReportResult write_report(const fs::path& place, const ReportOptions& options) {
+  const fs::path folder = results_in(place);
   const auto tell = [&](const std::string& doing, double share) {
     if (options.progress) options.progress(doing, share);
   };

@@ -39,9 +39,10 @@ struct ReportResult {
 
 /// Writes a page on all that commands of menger left in a folder and its sub-folders: report.html, whole or not at all, and
 /// beside it animations (GIF) of its first walks, report.walk_1.gif to report.walk_4.gif. Those of an earlier page of this name
-/// go. What cannot be read or drawn becomes a note.
+/// go. What stages of a loop computed for an earlier robot is left out. What cannot be read or drawn becomes a note.
+/// @param place the folder; or the robot.toml of a loop or its folder, whose results are taken
 /// @throws io::InputError if the folder holds no results of a command, or if the page cannot be written; nothing is overwritten
 /// then
-ReportResult write_report(const std::filesystem::path& folder, const ReportOptions& options = {});
+ReportResult write_report(const std::filesystem::path& place, const ReportOptions& options = {});
 
 }  // namespace menger::evolution

@@ -143,7 +143,7 @@ TEST(StudyReader, NamesFileKeyAndValueOfBadInput) {
       {"size_m = 1\n[soil]\ndepth = 0", "soil.depth = 0: must be >= 1"},
       {"size_m = 1\n[soil]\ndepth = \"no\"", "soil.depth = \"no\": must be an integer >= 1 or \"off\""},
       {"size_m = 1\n[soil]\nsun = 1", "soil.sun: unknown key"},
-      {"size_m = 1\n[[beds]]\nlength_m = 1", "beds[1].name is missing: a string is needed"},
+      {"size_m = 1\n[[beds]]\nlength_m = 1", "beds[1].name is missing: a text in quotes is needed"},
   };
   for (const auto& [text, expected] : cases) EXPECT_NE(message(text).find(expected), std::string::npos) << message(text);
 }
