@@ -3,7 +3,7 @@ part random "20 min of two cores" "random robots at three scales"
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
 done
-part_on_request two_scales "15 min" "the champions of ./run paper fractal at two scales, at the third scale"
+part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
 part_on_request three_scales "a minute" "the champion of ./run paper fractal three_scales"
 part summary "1 min" "the tables and the picture of all robots that there are"
 
