@@ -483,11 +483,9 @@ class LoopRun {
     LoopVerdict noted{.lines = verdict(), .softest_limit_Pa = softest_limit_Pa(places_.results, robot_)};
     if (!current_.contains("limit")) noted.softest_limit_Pa.reset();
     for (const LoopStage& stage : stages_) {
-      if (!current_.contains(stage.name)) {
-        if (!stage.manifest.empty() && stage.program != "menger-report") noted.left_behind.push_back(stage.name);
-        continue;
-      }
-      if (const std::string hash = manifest_hash(stage); !hash.empty()) noted.results[stage.manifest] = hash;
+      if (stage.program == "menger-report") continue;
+      const std::string hash = manifest_hash(stage);
+      if (!hash.empty()) (current_.contains(stage.name) ? noted.results : noted.left_behind)[stage.manifest] = hash;
     }
     write_loop_verdict(places_.results, noted);
   }

@@ -36,7 +36,7 @@ std::optional<LoopVerdict> read_loop_verdict(const fs::path& results) {
     const nlohmann::json whole = nlohmann::json::parse(text);
     LoopVerdict verdict{.lines = whole.at("came_out").get<std::vector<std::string>>(),
                         .results = whole.at("manifests_sha256").get<std::map<std::string, std::string>>(),
-                        .left_behind = whole.at("left_behind").get<std::vector<std::string>>()};
+                        .left_behind = whole.at("left_behind").get<std::map<std::string, std::string>>()};
     if (whole.contains("softest_limit_Pa")) verdict.softest_limit_Pa = whole.at("softest_limit_Pa").get<double>();
     return verdict;
   } catch (const nlohmann::json::exception&) {

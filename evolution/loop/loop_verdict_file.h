@@ -12,8 +12,8 @@ namespace menger::evolution {
 struct LoopVerdict {
   std::vector<std::string> lines{};              ///< sentences for people
   std::map<std::string, std::string> results{};  ///< io::hash_of_results by manifest, from the folder
-  /// Stages that have no results of this robot. What lies in their folders is of an earlier one.
-  std::vector<std::string> left_behind{};
+  /// Likewise those of an earlier robot, which stages of this loop have left in their folders.
+  std::map<std::string, std::string> left_behind{};
   std::optional<double> softest_limit_Pa{};  ///< at which the body balloons by the softest law of its silicone, if that is softer
 
   /// Whether the folder still has the results that the sentences are about.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "evolution/page/walk_animation.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/manifest.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 
@@ -58,9 +60,12 @@ LoopVerdict verdict_of_loop(const fs::path& folder, std::vector<std::string>& no
   return {};
 }
 
-/// Leaves out what stages of a loop computed for an earlier robot.
-void leave_out(const std::vector<std::string>& stages, std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {
-  for (const std::string& stage : stages) {
+/// Leaves out what stages of a loop computed for an earlier robot, unless a command by hand has taken its place since.
+void leave_out(const fs::path& folder, const std::map<std::string, std::string>& left_behind, std::vector<CommandOutput>& outputs,
+               std::vector<std::string>& notes) {
+  for (const auto& [manifest, hash] : left_behind) {
+    if (io::hash_of_results(folder / manifest) != hash) continue;
+    const std::string stage = fs::path(manifest).parent_path().string();
     const auto is_of_stage = [&](const CommandOutput& output) {
       return output.place == stage || output.place.starts_with(stage + "/");
     };
@@ -227,7 +232,7 @@ ReportResult write_report(const fs::path& place, const ReportOptions& options) {
   tell("look for results", 0.0);
   std::vector<CommandOutput> outputs = find_command_outputs(folder, page.notes);
   const LoopVerdict loop = verdict_of_loop(folder, page.notes);
-  leave_out(loop.left_behind, outputs, page.notes);
+  leave_out(folder, loop.left_behind, outputs, page.notes);
   if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
   result.outputs = outputs.size();
   page.title = title_of(folder, outputs);

@@ -91,11 +91,19 @@ TEST(ReportRun, LeavesOutWhatStagesComputedForAnEarlierRobot) {
   const tests::TestFolder folder;
   write_walk(folder / "locomote", "menger-locomote", "cube");
   write_walk(folder / "simulate", "menger-simulate", "cube");
-  write_loop_verdict(folder, {.lines = {"It walks."}, .results = {}, .left_behind = {"simulate", "limit"}});
+  write_loop_verdict(folder, {.lines = {"It walks."},
+                              .results = {},
+                              .left_behind = {{"simulate/manifest.json", io::hash_of_results(folder / "simulate/manifest.json")},
+                                              {"limit/manifest.json", "of results that are gone"}}});
   const ReportResult result = write_report(folder, quick());
   EXPECT_EQ(result.outputs, 1U);
   EXPECT_TRUE(has_note(result, "simulate: is of an earlier robot.toml"));
   EXPECT_FALSE(has_note(result, "limit: "));
+  write_walk(folder / "simulate", "menger-simulate", "cube", "3");
+  io::write_manifest(
+      folder / "simulate",
+      {.program = "menger-simulate", .parameters = "[drive]\nmode = \"hold\"\n", .seed = std::nullopt, .inputs = {}});
+  EXPECT_EQ(write_report(folder, quick()).outputs, 2U) << "a command by hand has taken its place";
 }
 
 TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
