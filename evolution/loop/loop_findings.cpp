@@ -185,9 +185,9 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
 
 /// Where the errors lie that the medians inside the range of the fit do not tell of.
 std::string range_text(const ShapeErrors& errors) {
-  if (!errors.is_inside) return ", all at pressures that the fit of the parameters did not cover";
+  if (!errors.is_inside) return ", all outside what the fit of the parameters covers";
   return errors.displacement_beyond ? ", and " + percents(*errors.displacement_beyond) +
-                                          " in displacements at pressures that the fit of the parameters did not cover"
+                                          " in displacements outside what the fit of the parameters covers"
                                     : "";
 }
 
@@ -350,7 +350,8 @@ constexpr double same_growth = 0.05;
 /// How far the finite elements of the stages inflate and validate differ in the volume of the chamber at the pressure of the
 /// drive.
 std::string elements_verdict(const fs::path& results, const meshes::Robot& robot) {
-  if (robot.chambers != meshes::ChamberLayout::single) return "";
+  const auto inflation = table_at(results / "inflate/result.toml");
+  if (robot.chambers != meshes::ChamberLayout::single || !inflation || !early_end(*inflation).empty()) return "";
   if (!io::is_file(results / "inflate/curves.csv") || !io::is_file(results / "validate/errors.csv")) return "";
   const std::vector<double> volumes_m3 = chamber_volumes_m3(io::read_csv(results / "inflate/curves.csv"));
   const double drive_Pa = drive_pressure_Pa(robot)[1];

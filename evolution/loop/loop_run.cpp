@@ -466,6 +466,7 @@ class LoopRun {
 
   /// Counts the results of stages after --until among those of this robot, where they are.
   void take_later_stages() {
+    meshes::take_champion(robot_, places_);
     for (const LoopStage& stage : stages_) {
       if (current_.contains(stage.name) || (stage.needs_body && !robot_.has_body()) || stage.program == "menger-report") continue;
       if (lacks(stage).empty() && is_current(stage, state_->find(stage.name), key_of(stage))) current_.insert(stage.name);

@@ -46,14 +46,18 @@ std::optional<std::string> read_picture(const fs::path& file, std::size_t most_b
   return std::nullopt;
 }
 
-/// What the loop that made these results left for their report; nothing if no loop did, or if they have changed since.
+/// What the loop that made these results left for their report; nothing if no loop did. If they have changed since, it only tells
+/// what is of an earlier robot.
 LoopVerdict verdict_of_loop(const fs::path& folder, std::vector<std::string>& notes) {
   try {
     std::optional<LoopVerdict> verdict = read_loop_verdict(folder);
     if (!verdict) return {};
     if (verdict->is_current(folder)) return std::move(*verdict);
+    verdict->lines.clear();
+    verdict->softest_limit_Pa.reset();
     notes.push_back(std::string(loop_verdict_name) +
                     ": what the loop said came out is of earlier results, and is left out; run menger loop again");
+    return std::move(*verdict);
   } catch (const io::InputError& error) {
     notes.emplace_back(error.what());
   }
@@ -231,9 +235,11 @@ ReportResult write_report(const fs::path& place, const ReportOptions& options) {
   ReportPage page{.title = {}, .made = {}, .verdict = {}};
   tell("look for results", 0.0);
   std::vector<CommandOutput> outputs = find_command_outputs(folder, page.notes);
+  if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
   const LoopVerdict loop = verdict_of_loop(folder, page.notes);
   leave_out(folder, loop.left_behind, outputs, page.notes);
-  if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
+  if (outputs.empty())
+    throw io::InputError(folder.string() + ": all results are of an earlier robot.toml; run menger loop again");
   result.outputs = outputs.size();
   page.title = title_of(folder, outputs);
   page.made = made_text(folder, outputs.size());

@@ -73,7 +73,7 @@ struct KnownPressures {
 
 KnownPressures known_pressures(const ReportFacts& facts, const InflationFacts& inflation) {
   KnownPressures known;
-  known.softest_limit_Pa = facts.softest_limit_Pa;
+  if (inflation.place == "limit") known.softest_limit_Pa = facts.softest_limit_Pa;  // the stage of the loop
   for (const WalkFacts& walk : facts.walks) {
     const auto& drive_Pa = walk.stated.highest_pressure_Pa;
     if (drive_Pa && are_of_one_body(walk.stated, inflation.stated))

@@ -9,13 +9,13 @@ namespace menger::io {
 /// "3.04 kPa". @param digits significant ones
 std::string kilopascals(double pressure_Pa, int digits = 3);
 
-/// "12.5 mm". @param digits significant ones
+/// "12.5 mm"; less than 1e-8 m is told as 0. @param digits significant ones
 std::string millimetres(double length_m, int digits = 3);
 
 /// "6.6 %", "127 %": two significant digits, and all of those before the point.
 std::string percents(double fraction);
 
-/// "0.32 body lengths", "1 body length": two significant digits.
+/// "0.32 body lengths", "1 body length": two significant digits; less than 1e-6 is told as 0.
 std::string body_lengths(double number);
 
 }  // namespace menger::io

@@ -17,9 +17,9 @@ namespace {
 /// What people mean by something that is not TOML.
 std::string hint_on(std::string_view problem) {
   const auto has = [&](std::string_view part) { return problem.find(part) != std::string_view::npos; };
-  if (has("leading zeroes")) return "; a row of digits stands in quotes, as in \"010\"";
+  if (has("leading zeroes")) return "; a row of digits stands in quotes, as in \"010\", and a number has no zero before it";
   if (has("could not determine value type")) return "; text stands in quotes";
-  if (has("saw ','")) return "; decimals have a point, as in 0.012";
+  if (has("saw ','")) return "; decimals have a point, as in 0.012, and several values stand in brackets";
   return "";
 }
 

@@ -1,5 +1,6 @@
 #include "meshes/robot/robot_file.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -97,16 +98,15 @@ void describe_body(io::StudyVisitor& visitor, Robot& robot) {
                   io::at_least(1));
 }
 
-/// No silicone that can be cast moves at less.
+/// Who states less, and less than a part of what moves such walls, has likely written kilopascals.
 constexpr double least_drive_Pa = 100.0;
-/// Of the pressure that moves such walls.
 constexpr double least_drive_share = 0.1;
 
 /// Refuses kilopascals in place of pascals. What such walls need decides, too: very thin and soft ones move at some pascals.
 void check_drive(const Robot& robot, const io::TomlTable& top) {
   if (!robot.pressure_Pa) return;
   const double moves_Pa = usual_pressure_Pa(robot);
-  const double highest_Pa = robot.pressure_Pa->back();
+  const double highest_Pa = std::max(robot.pressure_Pa->back(), -robot.pressure_Pa->front());
   if (highest_Pa >= least_drive_Pa || highest_Pa >= least_drive_share * moves_Pa) return;
   throw top.table("drive").error("pressure_Pa", "is in pascals, and " + io::number_text(highest_Pa) + " kPa are " +
                                                     io::number_text(1e3 * highest_Pa) + ": " + io::number_text(highest_Pa) +

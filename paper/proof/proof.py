@@ -156,12 +156,17 @@ def drawn_champions(champions):
 def progress_of(results, arm, seed):
     """Rows where a search has another champion: its score on draft elements, and what the search has cost by then."""
     champions = list(champions_of(results, arm, seed))
-    judged = {}
+    judged, by_fitness = {}, {}
     if arm == "voxels":  # they have no such score of their own
         champions = drawn_champions(champions)
-        judged = {rows[0]["individual"]: score(rows) for rows in robots_of(read_table(results / f"{arm}_{seed}.champions.csv")).values()}
+        for rows in robots_of(read_table(results / f"{arm}_{seed}.champions.csv")).values():
+            judged[rows[0]["individual"]] = score(rows)
+            by_fitness[rows[0].get("fitness_body_lengths")] = score(rows)
     for n, cost, champion, fitness in champions:
-        found = judged[champion] if arm == "voxels" else float(fitness)
+        # Of champions with one body, which have one fitness, the first alone walks on elements.
+        found = judged.get(champion, by_fitness.get(fitness)) if arm == "voxels" else float(fitness)
+        if found is None:
+            raise InputError(f"{results}/{arm}_{seed}.champions.csv: has no row of individual {champion}")
         yield {"arm": arm, "seed": seed, "generation": n, "cost_element_steps": number(cost), "champion": champion, "body_lengths": number(found)}
 
 

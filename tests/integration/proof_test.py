@@ -161,6 +161,16 @@ class Searches(unittest.TestCase):
         progress = table_of(self.tables / "progress.csv")
         self.assertEqual([row["body_lengths"] for row in progress], ["0.03", "0"], "as finite elements say, not voxels")
 
+    def test_champions_of_one_body_have_its_score(self):
+        self.make("voxels", 1, 0.01)
+        self.put("voxels_1/generations.csv", "generation champion best_fitness_body_lengths evaluations", [[0, 5, 0.1, 15], [1, 9, 0.1, 16]])
+        self.put("voxels_1.champions.csv", "rank individual design cells fitness_body_lengths score_body_lengths friction", [[1, 5, "b", 19, 0.1, 0.03, 0.4]])
+        taken = self.call("take", self.results, self.tables, "voxels", 1)
+        self.assertEqual(taken.returncode, 0, taken.stderr)
+        self.assertEqual([row["body_lengths"] for row in table_of(self.tables / "progress.csv")], ["0.03", "0.03"])
+        self.put("voxels_1/generations.csv", "generation champion best_fitness_body_lengths evaluations", [[0, 5, 0.1, 15], [1, 9, 0.2, 16]])
+        self.assertIn("has no row of individual 9", self.call("take", self.results, self.tables, "voxels", 1).stderr)
+
     def test_few_of_many_champions_walk_on_elements(self):
         champions = [(n, 1e6 * (n + 1), str(n), 0.1) for n in range(5000)]
         drawn = proof.drawn_champions(champions)

@@ -119,7 +119,7 @@ std::size_t row_of(const CurveComparison& comparison, const ObservableError& err
 /// "extent_y_m: -0.9 mm in finite elements, 0.4 mm in the surrogate"
 std::string told(const ObservableError& error) {
   const auto value = [&](double number) {
-    if (error.observable.ends_with("_m")) return io::millimetres(number);
+    if (error.kind == ObservableKind::displacement) return io::millimetres(number);
     return error.kind == ObservableKind::volume ? io::percents(number) : io::shown(number);
   };
   return error.observable + ": " + value(error.reference) + " in finite elements, " + value(error.surrogate) +

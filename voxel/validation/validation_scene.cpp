@@ -174,7 +174,7 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
                                                              .surrogate = &surrogate.by_row.at(row),
                                                              .rest = &rest_by_row.at(row),
                                                              .caption = caption_of(*sides.comparison, states[row]),
-                                                             .finding = sides.finding});
+                                                             .finding = row == sides.pictured_row ? sides.finding : ""});
   return outcome;
 }
 

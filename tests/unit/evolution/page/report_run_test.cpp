@@ -99,6 +99,13 @@ TEST(ReportRun, LeavesOutWhatStagesComputedForAnEarlierRobot) {
   EXPECT_EQ(result.outputs, 1U);
   EXPECT_TRUE(has_note(result, "simulate: is of an earlier robot.toml"));
   EXPECT_FALSE(has_note(result, "limit: "));
+  // Also where the loop's own words are of earlier results.
+  LoopVerdict stale = read_loop_verdict(folder).value();
+  stale.results = {{"locomote/manifest.json", "of another run"}};
+  write_loop_verdict(folder, stale);
+  const ReportResult later = write_report(folder, quick());
+  EXPECT_EQ(later.outputs, 1U);
+  EXPECT_TRUE(later.verdict.came_out.empty());
   write_walk(folder / "simulate", "menger-simulate", "cube", "3");
   io::write_manifest(
       folder / "simulate",

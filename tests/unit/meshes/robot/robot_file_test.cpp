@@ -121,6 +121,7 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "law_name = \"ogden\"\n", ", did you mean ogden1?");
   expect(whole + "law_name = \"jelly\"\n", "law_name = \"jelly\": the record has recommended, ");
   expect(whole + "law_name = \"ogden1\"\n[search]\nmodel = \"both\"\n", "a search on voxels takes the recommended law");
+  EXPECT_EQ(drive_pressure_Pa(read_text(folder, whole + "[drive]\npressure_Pa = [-5000, 50]\n"))[1], 50.0) << "a vacuum moves it";
   const auto expect_body = [&](const std::string& body, const std::string& part) {
     expect("[robot]\nsilicone = \"dragon_skin_10\"\n" + body, part);
   };
