@@ -481,8 +481,8 @@ class LoopRun {
 
   /// Leaves what came out for the report.
   void note_verdict() {
-    LoopVerdict noted{.lines = verdict(), .softest_limit_Pa = softest_limit_Pa(places_.results, robot_)};
-    if (!current_.contains("limit")) noted.softest_limit_Pa.reset();
+    LoopVerdict noted{.lines = verdict()};
+    if (current_.contains("limit")) noted.softest_limit_Pa = softest_limit_Pa(places_.results, robot_);
     for (const LoopStage& stage : stages_) {
       if (stage.program == "menger-report") continue;
       const std::string hash = manifest_hash(stage);

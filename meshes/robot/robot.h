@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "materials/laws/silicone_record.h"
+#include "materials/laws/study_law.h"
 #include "meshes/design/design_file.h"
 #include "meshes/design/hollow_body_options.h"
 
@@ -59,13 +60,13 @@ struct Robot {
   bool evolves = false;  ///< whether the body is that of the search's best robot
   double wall_thickness_m = 0.002;
   ChamberLayout chambers = ChamberLayout::single;
-  std::string silicone;                                ///< as robot.toml names it
-  std::filesystem::path silicone_file;                 ///< the record that this means
-  materials::SiliconeRecord record;                    ///< its content
-  std::string law_name = "recommended";                ///< of a law in the record
-  std::size_t law_variant = 1;                         ///< its number among laws of this name, from 1
-  materials::SourcedLaw law;                           ///< the law that these mean
-  std::optional<std::array<double, 2>> pressure_Pa{};  ///< lowest and highest gauge pressure; nothing: see drive_pressure_Pa
+  std::string silicone;                                   ///< as robot.toml names it
+  std::filesystem::path silicone_file;                    ///< the record that this means
+  materials::SiliconeRecord record;                       ///< its content
+  std::string law_name{materials::recommended_law_name};  ///< of a law in the record
+  std::size_t law_variant = 1;                            ///< its number among laws of this name, from 1
+  materials::SourcedLaw law;                              ///< the law that these mean
+  std::optional<std::array<double, 2>> pressure_Pa{};     ///< lowest and highest gauge pressure; nothing: see drive_pressure_Pa
   double frequency_Hz = 3.0;
   RobotDrive drive = RobotDrive::in_phase;
   double static_friction = 1.0;

@@ -26,19 +26,23 @@
 namespace menger::voxel {
 namespace {
 
+/// Of lines and words.
+constexpr std::array<double, 3> ink{0.15, 0.17, 0.2};
+
 /// Direction to the light. The three visible sides of a resting cube get three different brightnesses.
 constexpr Vector light_direction{0.25, -0.47, 0.85};
 
-/// Adds a surface in one colour without shading.
-void add_flat(vtkRenderer& renderer, vtkPolyData& surface, const std::array<double, 3>& colour) {
+/// Adds a surface or lines in one colour without shading.
+vtkSmartPointer<vtkActor> add_flat(vtkRenderer& renderer, vtkPolyData& surface, const std::array<double, 3>& colour) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&surface);
   mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
   renderer.AddActor(actor);
+  return actor;
 }
 
 }  // namespace
@@ -180,25 +184,18 @@ void add_light(vtkRenderer& renderer) {
 }
 
 void add_lines(vtkRenderer& renderer, vtkPolyData& lines, double line_width) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&lines);
-  mapper->ScalarVisibilityOff();
+  const vtkSmartPointer<vtkActor> actor = add_flat(renderer, lines, ink);
   // drawn in front of what hides them
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.15, 0.17, 0.2);
+  actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+  actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
   actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
-  actor->GetProperty()->LightingOff();
-  renderer.AddActor(actor);
 }
 
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up) {
   vtkNew<vtkTextActor> text;
   text->SetInput(caption.c_str());
   text->GetTextProperty()->SetFontSize(io::supersampling * font_size);
-  text->GetTextProperty()->SetColor(0.15, 0.17, 0.2);
+  text->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
   text->GetTextProperty()->SetJustificationToCentered();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->SetPosition(across, up);

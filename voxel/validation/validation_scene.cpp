@@ -136,7 +136,7 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
                             std::to_string(states.size()) + " rows of the curve: only those rows are shown");
   }
   std::vector<CollectionEntry> entries;
-  std::map<std::size_t, BodyBoxes> rest_by_row;
+  std::map<std::size_t, Eigen::Isometry3d> elements_by_row;  // their rigid motions
   std::vector<std::size_t> shown;
   // The rigid motion of a free body depends on its support and is not part of its response.
   const bool is_free = sides.comparison->load_case().kind == meshes::LoadCaseKind::inflation;
@@ -154,7 +154,7 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
       motion = of_elements * motion;
     }
     body = moved(std::move(body), motion);
-    rest_by_row.emplace(row, moved(surrogate.rest, of_elements));
+    elements_by_row.emplace(row, of_elements);
     entries.push_back({time, numbered("voxels", row), 1, "voxels"});
     write_state(folder / entries.back().file, *grid_of(body, surrogate.rest), row, states[row]);
     shown.push_back(row);
@@ -170,9 +170,10 @@ SideBySideOutcome write_side_by_side(const fs::path& folder, const SideBySide& s
   const auto not_before = std::lower_bound(shown.begin(), shown.end(), sides.pictured_row);
   const std::size_t row = not_before == shown.end() ? shown.back() : *not_before;
   const vtkSmartPointer<vtkPolyData> elements = sides.fields ? deformed_surface(fields.at(row)) : nullptr;
+  const BodyBoxes rest = moved(surrogate.rest, elements_by_row.at(row));
   outcome.picture = draw_side_by_side(folder / "worst.png", {.elements = elements,
                                                              .surrogate = &surrogate.by_row.at(row),
-                                                             .rest = &rest_by_row.at(row),
+                                                             .rest = &rest,
                                                              .caption = caption_of(*sides.comparison, states[row]),
                                                              .finding = row == sides.pictured_row ? sides.finding : ""});
   return outcome;
