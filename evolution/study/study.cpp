@@ -143,6 +143,21 @@ std::size_t voxels_in_cell(const Study& study) {
   return along_edge * along_edge * along_edge;
 }
 
+/// How a search could keep its graphics processor busy, where it does not.
+std::string note_of_idle_device(const Study& study) {
+  const SearchPlan& plan = study.search;
+  if (study.device != io::Device::cuda) return "";
+  if (!uses_elements(study)) {
+    if (!plan.pruning || plan.selection_time == SelectionTime::steady_state) return "";
+    return "with pruning, a generation is a row of small batches, each as long as its slowest robot; with evaluation.pruning = "
+           "false the graphics processor steps all robots of a generation at once";
+  }
+  const bool may_be_steady = plan.scenarios == 1 && !plan.map_elites && !plan.screening && !plan.step_checks;
+  if (plan.selection_time == SelectionTime::steady_state || !may_be_steady) return "";
+  return "at the end of every generation the graphics processor waits for the slowest walk; with population.selection = "
+         "\"steady_state\" it does not";
+}
+
 std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes = notes_of_model(study);
   if (const auto last = measured_periods(study)) {
@@ -151,6 +166,7 @@ std::vector<std::string> study_notes(const Study& study) {
   }
   if (uses_elements(study) && finer_fidelities(study).empty())
     notes.emplace_back("menger evolve has no finer elements than these: it does not confirm the best robots");
+  if (const std::string note = note_of_idle_device(study); !note.empty()) notes.push_back(note);
   const bool has_surrogate = study.model != EvaluationModel::finite_elements && study.physics.surrogate;
   for (const std::string& fault : has_surrogate ? outside_validity_of_some(study) : std::vector<std::string>{}) {
     const bool refuses = study.physics.surrogate->outside_range == voxel::OutsideRange::refuse;

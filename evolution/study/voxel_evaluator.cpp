@@ -5,6 +5,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -169,10 +170,9 @@ void VoxelEvaluator::walk(Walkers& walkers, const std::atomic<bool>& stop, const
 std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const EvaluationTask> tasks, int workers) const {
   std::vector<std::vector<std::size_t>> groups;
   if (device_ == io::Device::cuda) {
-    // The device steps the robots of all workers at once, and these share what remains to the processor: to build the robots.
-    const std::size_t shares = std::min(tasks.size(), static_cast<std::size_t>(workers));
-    groups.resize(shares);
-    for (std::size_t i = 0; i < tasks.size(); ++i) groups[i % shares].push_back(i);
+    // The device shares itself out among robots that it is given together. To build them takes a processor little beside that.
+    if (!tasks.empty()) groups.emplace_back(tasks.size());
+    for (std::vector<std::size_t>& all : groups) std::iota(all.begin(), all.end(), std::size_t{0});
     return groups;
   }
   std::vector<std::size_t> modules;

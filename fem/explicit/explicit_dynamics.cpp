@@ -9,6 +9,7 @@
 
 #include "fem/explicit/explicit_contact.h"
 #include "fem/motion/state_check.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "meshes/hexahedra/element_geometry.h"

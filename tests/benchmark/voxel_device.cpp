@@ -33,7 +33,7 @@ struct Case {
 const std::string sponge = "mmmm0mmmmm0m000m0mmmmm0mmmm";   // 20 voxels, 400, 8000
 const std::string sixteen = "m0m000m0mmmmmmmmmm0m00m00m0";  // 16 voxels, 4096
 const std::string full(27, 'm');                            // 27 voxels, 19683
-const std::vector<Case> cases{{sponge, 1, 256}, {sponge, 2, 256}, {sixteen, 3, 256}, {full, 3, 64}};
+const std::vector<Case> cases{{sponge, 1, 256}, {sponge, 2, 256}, {sixteen, 3, 256}, {sponge, 3, 12}, {full, 3, 64}};
 
 struct Mode {
   NumberType number;

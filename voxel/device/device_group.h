@@ -9,7 +9,7 @@
 
 namespace menger::voxel {
 
-/// Robots that are stepped together on a graphics processor, one per block of threads.
+/// Robots that are stepped together on a graphics processor, each by a block of threads or by several.
 ///
 /// The same robot gets the same bytes every time, whatever the other robots are. They differ from those of the processor where
 /// a beam bends by more than 23 degrees: sines and cosines of such angles come from other libraries.

@@ -18,7 +18,7 @@ struct DeviceAdvance {
   std::vector<bool> on_processor;  ///< whether the device left a simulation to the processor, wholly or from some step on
 };
 
-/// Advances several simulations at once to a time, each by a block of threads of the graphics processor. For each it does the
+/// Advances several simulations at once to a time, each by threads of the graphics processor. For each it does the
 /// same as Simulation::advance_to, but for rounding (see DeviceGroup).
 ///
 /// What the device cannot step is left to the processor: the energy balance, terms that are kept for comparison, and robots that

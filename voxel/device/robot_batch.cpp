@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -18,14 +19,11 @@ constexpr double partner_skin_edges = 0.2;
 /// Rounding errors of distances and paths, as a share.
 constexpr double rounding_share = 1e-5;
 
+/// Beams along one axis with which one block steps a robot no later than many blocks step the largest robots, of 19,683 voxels.
+constexpr std::size_t most_beams_of_one_block = 1024;
+
 /// Voxels are padded to a multiple of the threads that run in step.
 constexpr std::uint32_t threads_in_step = 32;
-
-/// Threads of a block. With more, each has too few registers for the law of a beam.
-constexpr std::uint32_t most_threads = 256;
-
-/// Threads of a block whose robot does not fit its memory.
-constexpr std::uint32_t most_threads_of_large = most_block_threads;
 
 /// Memory of a block, bytes: what compute capability 9.0 has, less what a block needs beside its robot.
 constexpr std::size_t most_block_bytes = std::size_t{224} * 1024;
@@ -69,9 +67,24 @@ void with_kind(bool velocity, BeamVariety variety, const Function& function) {
 }
 
 /// Returns the fewest threads with which the beams of an axis take no more rounds than with the most threads.
-std::uint32_t threads_for(std::size_t most_beams, std::uint32_t most) {
-  const std::size_t rounds = std::max<std::size_t>(1, (most_beams + most - 1) / most);
+std::uint32_t threads_for(std::size_t most_beams) {
+  const std::size_t rounds = std::max<std::size_t>(1, (most_beams + most_block_threads - 1) / most_block_threads);
   return std::max(threads_in_step, rounded_up((most_beams + rounds - 1) / rounds, threads_in_step));
+}
+
+/// Returns the most beams along one axis.
+template <class Real>
+std::size_t most_beams_of(const RobotData<Real>& robot) {
+  std::size_t most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    most = std::max<std::size_t>(most, robot.beam_begin[axis + 1] - robot.beam_begin[axis]);
+  return most;
+}
+
+/// Memory of a block that has a robot's poses, motions and loads, bytes.
+template <class Real>
+std::size_t block_bytes_of(std::size_t voxels) {
+  return (2 * line_size + numbers_of_load) * rounded_up(voxels, threads_in_step) * sizeof(Real);
 }
 
 }  // namespace
@@ -79,11 +92,16 @@ std::uint32_t threads_for(std::size_t most_beams, std::uint32_t most) {
 template <class Real>
 RobotBatch<Real>::RobotBatch(std::vector<MovingBody<Real>*> robots, std::vector<FootContact<Real>*> contacts)
     : robots_(std::move(robots)), contacts_(std::move(contacts)) {
+  all_fit_blocks_ = std::ranges::all_of(robots_, [](const MovingBody<Real>* robot) {
+    return block_bytes_of<Real>(static_cast<std::size_t>(robot->data().voxels)) <= most_block_bytes;
+  });
   for (std::size_t i = 0; i < robots_.size(); ++i) add(*robots_[i], contacts_[i]);
   for (std::uint32_t i = 0; i < robots_.size(); ++i) {
     put(i);
     choose_launch(i);
   }
+  // Large robots first: small ones find room beside them.
+  std::ranges::stable_sort(launches_, std::greater{}, [](const Launch& launch) { return launch.shape.blocks; });
   outcomes.resize(robots_.size());
   progress_.resize(robots_.size());
 }
@@ -140,7 +158,7 @@ void RobotBatch<Real>::add_calibrated(const MovingBody<Real>& robot, const FootC
   c.responses = responses_size;
   responses_size += wall_class_count * tables.phases.size();
   c.ranges = ranges_size;
-  ranges_size += std::size_t{2} * most_block_threads;
+  ranges_size += std::size_t{2} * most_blocks * most_block_threads;
   const auto index_of = [](std::size_t number) { return static_cast<std::int32_t>(number); };
   c.beam_halves = indices.size();
   for (std::size_t half = 0; half < 2; ++half) {
@@ -269,8 +287,26 @@ void RobotBatch<Real>::add_beams(const MovingBody<Real>& robot, RobotData<Real>&
   one.lower = joined(&BeamAxisData<Real>::lower);
   one.upper = joined(&BeamAxisData<Real>::upper);
   one.beam_class = joined(&BeamAxisData<Real>::beam_class);
+  if (!all_fit_blocks_) add_beams_of_voxels(one);
   const std::size_t classes = robot.body().classes.beam.size();
   one.beam_table = append(constants, std::vector<Real>(d.beam_table, d.beam_table + class_values * classes));
+}
+
+template <class Real>
+void RobotBatch<Real>::add_beams_of_voxels(RobotData<Real>& one) {
+  one.beam_loads = loads_size;
+  loads_size += std::size_t{2} * numbers_of_load * one.beams();
+  one.beams_of_voxel = indices.size();
+  indices.resize(indices.size() + std::size_t{ends_of_voxel} * one.stride, -1);
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    for (std::uint32_t beam = one.beam_begin[axis]; beam < one.beam_begin[axis + 1]; ++beam) {
+      const auto beam_at = [&](std::uint32_t end, std::size_t ends_of_beams) -> std::int32_t& {
+        return indices[one.beams_of_voxel + std::size_t{one.stride} * (2 * axis + end) +
+                       static_cast<std::size_t>(indices[ends_of_beams + beam])];
+      };
+      beam_at(0, one.upper) = beam_at(1, one.lower) = static_cast<std::int32_t>(beam);
+    }
+  }
 }
 
 template <class Real>
@@ -280,6 +316,10 @@ void RobotBatch<Real>::add_contacts(const MovingBody<Real>& robot, RobotData<Rea
   CollisionRule rule(body.lattice, *body.physics.collisions.exclusion_depth);
   one.surface_voxels = static_cast<std::uint32_t>(rule.surface().size());
   one.surface = append(indices, rule.surface());
+  one.surface_position = indices.size();
+  indices.resize(indices.size() + one.voxels, -1);
+  for (std::uint32_t s = 0; s < one.surface_voxels; ++s)
+    indices[one.surface_position + static_cast<std::size_t>(indices[one.surface + s])] = static_cast<std::int32_t>(s);
   std::vector<std::int32_t> excluded;
   one.exclusion_begin = reserve(indices, rule.surface().size() + 1);
   for (std::size_t s = 0; s < rule.surface().size(); ++s) {
@@ -293,6 +333,8 @@ void RobotBatch<Real>::add_contacts(const MovingBody<Real>& robot, RobotData<Rea
   one.half_skin = static_cast<Real>((1.0 - rounding_share) * 0.5 * skin_m);
   one.partners = partners_size;
   partners_size += std::size_t{1 + most_partners} * one.surface_voxels;
+  one.boxes = loads_size;
+  loads_size += std::size_t{numbers_of_box} * one.chunks();
 }
 
 template <class Real>
@@ -303,13 +345,17 @@ void RobotBatch<Real>::choose_launch(std::uint32_t position) {
   shape.variety = robots_[position]->pressures() != nullptr                   ? BeamVariety::own_lengths
                   : robots_[position]->state().uniform() && !one.has_coupling ? BeamVariety::uniform
                                                                               : BeamVariety::classes;
-  shape.block_bytes = (2 * line_size + numbers_of_load) * one.stride * sizeof(Real);
-  shape.in_block = shape.block_bytes <= most_block_bytes;
-  if (!shape.in_block) shape.block_bytes = 0;
-  std::size_t most_beams = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    most_beams = std::max<std::size_t>(most_beams, one.beam_begin[axis + 1] - one.beam_begin[axis]);
-  shape.threads = threads_for(most_beams, shape.in_block ? most_threads : most_threads_of_large);
+  const std::size_t most_beams = most_beams_of(one);
+  // Blocks that keep robots in their memory do not stand beside others, which want it as a cache.
+  shape.in_block = all_fit_blocks_;
+  if (shape.in_block) {
+    shape.block_bytes = block_bytes_of<Real>(one.voxels);
+    shape.threads = threads_for(most_beams);
+  } else {
+    // Few kinds of launches stand beside each other. A large robot is what the others wait for: it gets all that it can.
+    shape.blocks = most_beams > most_beams_of_one_block ? most_blocks : 1;
+    shape.threads = most_block_threads;
+  }
   const auto alike = std::ranges::find_if(launches_, [&](const Launch& launch) {
     LaunchShape same_memory = launch.shape;
     same_memory.block_bytes = shape.block_bytes;
@@ -439,7 +485,10 @@ void RobotBatch<Real>::step_alone() {
       if (steps[robot] == 0) continue;
       const io::LoneThread thread;
       with_kind<Real>(launch.shape.velocity, launch.shape.variety, [&](auto velocity, auto variety) {
-        outcomes[robot] = RobotStepper<velocity, variety, Real, io::LoneThread>(thread, one, arrays, lines).advance(steps[robot]);
+        const auto advance = [&](auto gathers) {
+          return RobotStepper<velocity, variety, gathers, Real, io::LoneThread>(thread, one, arrays, lines).advance(steps[robot]);
+        };
+        outcomes[robot] = launch.shape.in_block ? advance(std::false_type{}) : advance(std::true_type{});
       });
     }
   }

@@ -74,6 +74,7 @@ class RobotBatch {
  private:
   void add(const MovingBody<Real>& robot, const FootContact<Real>* contact);
   void add_beams(const MovingBody<Real>& robot, RobotData<Real>& one);
+  void add_beams_of_voxels(RobotData<Real>& one);
   void add_voxels(const MovingBody<Real>& robot, RobotData<Real>& one);
   void add_contacts(const MovingBody<Real>& robot, RobotData<Real>& one);
   void add_coupling(const MovingBody<Real>& robot, RobotData<Real>& one);
@@ -95,6 +96,7 @@ class RobotBatch {
 
   std::vector<MovingBody<Real>*> robots_;
   std::vector<FootContact<Real>*> contacts_;  ///< per robot, or null
+  bool all_fit_blocks_ = true;                ///< each robot fits the memory of a block
   std::vector<Progress> progress_;
   std::vector<Launch> launches_;
 };

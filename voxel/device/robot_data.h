@@ -63,6 +63,10 @@ struct CalibratedData {
 /// one of two layers that lie on each other about 30. A robot with more is left to the processor.
 inline constexpr std::uint32_t most_partners = 64;
 
+/// Surface voxels that follow each other are looked at for contacts together, by the box that holds them: two corners.
+inline constexpr std::uint32_t voxels_of_chunk = 32;
+inline constexpr std::uint32_t numbers_of_box = 6;
+
 /// A robot as a block of threads steps it: its sizes and constants, and where its arrays begin in those of the batch
 /// (BatchArrays).
 ///
@@ -95,14 +99,20 @@ struct RobotData : StepConstants<Real> {
 
   // contacts between voxels; none without surface voxels
   std::uint32_t surface_voxels = 0;
-  std::size_t surface = 0;          ///< their voxels, ascending
-  std::size_t exclusion_begin = 0;  ///< surface_voxels + 1 positions in the list of excluded partners
-  std::size_t exclusions = 0;       ///< per surface voxel: the voxels that it never collides with, ascending
-  std::size_t partners = 0;         ///< in the scratch memory: per surface voxel a count and most_partners voxels
-  Real list_reach2 = 0;             ///< square of the distance up to which pairs are in the list, m^2
-  Real half_skin = 0;               ///< the list is good until a voxel has moved so far, m
+  std::size_t surface = 0;           ///< their voxels, ascending
+  std::size_t surface_position = 0;  ///< per voxel: its position among these, or -1
+  std::size_t exclusion_begin = 0;   ///< surface_voxels + 1 positions in the list of excluded partners
+  std::size_t exclusions = 0;        ///< per surface voxel: the voxels that it never collides with, ascending
+  std::size_t partners = 0;          ///< in the scratch memory: per surface voxel a count and most_partners voxels
+  Real list_reach2 = 0;              ///< square of the distance up to which pairs are in the list, m^2
+  Real half_skin = 0;                ///< the list is good until a voxel has moved so far, m
+  std::size_t boxes = 0;             ///< in the scratch numbers: numbers_of_box per chunk
 
-  std::size_t loads = 0;  ///< in the scratch numbers: numbers_of_load per voxel, where they do not fit the block's own memory
+  std::size_t loads = 0;  ///< in the scratch numbers: numbers_of_load per voxel, where no block has them in its memory
+
+  // where robots do not fit the memory of a block
+  std::size_t beam_loads = 0;      ///< in the scratch numbers: numbers_of_load per beam, and as many for their other ends
+  std::size_t beams_of_voxel = 0;  ///< per voxel: the beam of which it is the upper and the lower end, for each axis; or -1
 
   bool has_coupling = false;  ///< see LateralCoupling
   Real half_coupling = 0;
@@ -112,10 +122,16 @@ struct RobotData : StepConstants<Real> {
   CalibratedData calibrated;  ///< of calibrated bodies
 
   [[nodiscard]] MENGER_HOST_DEVICE std::uint32_t beams() const { return beam_begin[3]; }
+  [[nodiscard]] MENGER_HOST_DEVICE std::uint32_t chunks() const {
+    return (surface_voxels + voxels_of_chunk - 1) / voxels_of_chunk;
+  }
 };
 
 /// Numbers of a load: a force and a moment.
 inline constexpr std::uint32_t numbers_of_load = 6;
+
+/// Beams of a voxel: above and below it along three axes.
+inline constexpr std::uint32_t ends_of_voxel = 6;
 
 /// Why a robot made no more steps.
 enum class RobotEnd : std::uint8_t {
@@ -138,7 +154,8 @@ struct LaunchShape {
   bool velocity = false;  ///< damping is from velocities
   /// own_lengths also for bodies with kinks, and uniform only for bodies without lateral coupling
   BeamVariety variety = BeamVariety::classes;
-  bool in_block = false;        ///< poses, motions and loads fit the memory of a block
+  bool in_block = false;        ///< poses, motions and loads lie in the memory of a block: those of all robots of the batch fit
+  std::uint32_t blocks = 1;     ///< that share a robot, a power of two; fewer where the device does not have so many together
   std::uint32_t threads = 32;   ///< of a block, a multiple of 32
   std::size_t block_bytes = 0;  ///< memory of a block
 
@@ -172,7 +189,9 @@ struct BatchArrays {
 
 inline constexpr std::uint32_t touches_ground = 1, sticks_to_ground = 2;
 
-/// Most threads of any block.
-inline constexpr std::uint32_t most_block_threads = 512;
+/// Most threads of a block. With more, each has too few registers for the law of a beam.
+inline constexpr std::uint32_t most_block_threads = 256;
+/// Most blocks that share a robot.
+inline constexpr std::uint32_t most_blocks = 16;
 
 }  // namespace menger::voxel

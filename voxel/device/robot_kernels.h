@@ -9,7 +9,7 @@
 
 namespace menger::voxel {
 
-/// Starts a kernel that makes the steps of some robots, one block each.
+/// Starts a kernel that makes the steps of some robots, each by as many blocks as the shape says.
 /// @param robots positions in the batch, in the memory of the device
 /// @throws io::DeviceError if CUDA refuses it
 template <class Real>

@@ -27,7 +27,9 @@ struct SharedLines {
 /// The steps of one robot.
 /// @tparam Velocity damping is from velocities, see DampingMode
 /// @tparam Variety of the beams, as in LaunchShape
-template <bool Velocity, BeamVariety Variety, class Real, class Thread>
+/// @tparam Gathers how loads of beams come to voxels. true: beams write theirs, and voxels add up those of their own beams; that
+/// takes memory, and one wait. false: beams add theirs to voxels, which takes a wait for each end of each axis
+template <bool Velocity, BeamVariety Variety, bool Gathers, class Real, class Thread>
 class RobotStepper {
   static constexpr bool Uniform = Variety == BeamVariety::uniform;
   static constexpr bool Calibrated = Variety == BeamVariety::own_lengths;
@@ -42,15 +44,19 @@ class RobotStepper {
   MENGER_HOST_DEVICE RobotOutcome advance(std::uint32_t count) {
     RobotOutcome outcome;
     const bool collides = robot_.surface_voxels > 0;
-    for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count()) reset_load(i);
+    if constexpr (!Gathers) {
+      for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count()) reset_load(i);
+    }
     if constexpr (Calibrated) set_responses(arrays_.drives[robot_.drives - 1]);
     thread_.wait();
     if (collides && thread_.any(!list_partners())) outcome.end = RobotEnd::crowded;
     while (outcome.end == RobotEnd::completed && outcome.steps < count) {
-      const bool in_range = add_beam_loads(robot_.is_first_step && outcome.steps == 0 ? Real(0) : robot_.rate_scale);
+      const Real rate_scale = robot_.is_first_step && outcome.steps == 0 ? Real(0) : robot_.rate_scale;
+      const bool in_range = Gathers ? write_beam_loads(rate_scale) : add_beam_loads(rate_scale);
       if (thread_.any(!in_range || !is_valid_)) {
         outcome.end = thread_.any(!in_range) ? RobotEnd::strained : RobotEnd::outside;
       } else {
+        if constexpr (Gathers) gather_loads();
         if constexpr (!Uniform) {
           if (robot_.has_coupling) add_coupling_loads();
         }
@@ -199,6 +205,49 @@ class RobotStepper {
     in_range = in_range && is_strain_in_range(step.state.deformation, ends.rest_length, robot_.strain_limit);
     if constexpr (Calibrated) note_strain(step.state.deformation.displacement.x / ends.rest_length);
     return to_world(step.state.frame, step.elastic + step.damping);
+  }
+
+  /// Writes the loads of all beams, component by component: those on the upper ends, then those on the lower ones.
+  /// @return false if a strain of a beam of this thread is out of range
+  MENGER_HOST_DEVICE bool write_beam_loads(Real rate_scale) {
+    bool in_range = true;
+    for (std::size_t beam = thread_.index(); beam < robot_.beams(); beam += thread_.count()) {
+      const std::uint32_t axis = (beam < robot_.beam_begin[1] ? 0U : 1U) + (beam < robot_.beam_begin[2] ? 0U : 1U);
+      const AxisOrder order{{axis, (axis + 1) % 3, (axis + 2) % 3}};
+      const BeamLoads<Real> loads =
+          beam_loads(beam, index(robot_.lower, beam), index(robot_.upper, beam), order, rate_scale, in_range);
+      const auto write = [&](std::size_t first, const Vector3<Real>& v) {
+        const auto at = [&](std::size_t k) -> Real& { return beam_load(first + order.axis[k], beam); };
+        at(0) = v.x;
+        at(1) = v.y;
+        at(2) = v.z;
+      };
+      write(0, Uniform ? -loads.lower_force : loads.upper_force);
+      write(3, loads.upper_moment);
+      write(numbers_of_load, loads.lower_force);
+      write(numbers_of_load + 3, loads.lower_moment);
+    }
+    return in_range;
+  }
+
+  MENGER_HOST_DEVICE Real& beam_load(std::size_t component, std::size_t beam) const {
+    return arrays_.loads[robot_.beam_loads + robot_.beams() * component + beam];
+  }
+
+  /// Sets the loads of the voxels of this thread to those of their beams, added up in the order of add_beam_loads.
+  MENGER_HOST_DEVICE void gather_loads() const {
+    for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count()) {
+      Real sum[numbers_of_load];
+      for (std::size_t k = 0; k < numbers_of_load; ++k)
+        sum[k] = robot_.has_external ? arrays_.constants[robot_.external + robot_.stride * k + i] : Real(0);
+      for (std::size_t end = 0; end < ends_of_voxel; ++end) {
+        const std::int32_t beam = arrays_.indices[robot_.beams_of_voxel + robot_.stride * end + i];
+        if (beam < 0) continue;
+        const std::size_t first = end % 2 == 0 ? 0 : numbers_of_load;
+        for (std::size_t k = 0; k < numbers_of_load; ++k) sum[k] += beam_load(first + k, static_cast<std::size_t>(beam));
+      }
+      for (std::size_t k = 0; k < numbers_of_load; ++k) lines_.load[robot_.stride * k + i] = sum[k];
+    }
   }
 
   /// Adds the loads of all beams. Threads wait so that every voxel gets its loads in the order in which the sweeps of other rooms
@@ -452,7 +501,7 @@ class RobotStepper {
       }
       store(lines_.pose, i, pose);
       store(lines_.motion, i, motion);
-      reset_load(i);
+      if constexpr (!Gathers) reset_load(i);
       const Real displacement2 = dot(step.displacement, step.displacement);
       is_slow = is_slow && displacement2 <= robot_.displacement_limit2;
       largest2 = displacement2 > largest2 ? displacement2 : largest2;
@@ -497,26 +546,63 @@ class RobotStepper {
     return true;
   }
 
+  /// Writes the corners of the boxes that hold chunks of surface voxels.
+  MENGER_HOST_DEVICE void box_chunks() const {
+    for (std::size_t c = thread_.index(); c < robot_.chunks(); c += thread_.count()) {
+      const std::size_t end = std::min<std::size_t>((c + 1) * voxels_of_chunk, robot_.surface_voxels);
+      Vector3<Real> low = place(index(robot_.surface, c * voxels_of_chunk));
+      Vector3<Real> high = low;
+      for (std::size_t t = c * voxels_of_chunk + 1; t < end; ++t) {
+        const Vector3<Real> at = place(index(robot_.surface, t));
+        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+      }
+      Real* const box = arrays_.loads + robot_.boxes + numbers_of_box * c;
+      box[0] = low.x;
+      box[1] = low.y;
+      box[2] = low.z;
+      box[3] = high.x;
+      box[4] = high.y;
+      box[5] = high.z;
+    }
+  }
+
+  /// Whether a voxel of a chunk may be as near as partners are.
+  MENGER_HOST_DEVICE bool is_near_chunk(const Vector3<Real>& here, std::size_t chunk) const {
+    const Real* const box = arrays_.loads + robot_.boxes + numbers_of_box * chunk;
+    const auto outside = [](Real at, Real low, Real high) { return std::max(Real(0), std::max(low - at, at - high)); };
+    const Vector3<Real> apart = {outside(here.x, box[0], box[3]), outside(here.y, box[1], box[4]),
+                                 outside(here.z, box[2], box[5])};
+    // What is not a number is near, as it is among the partners' distances.
+    return !(dot(apart, apart) >= robot_.list_reach2);
+  }
+
   /// Lists for every surface voxel of this thread the others that may touch it before a voxel has moved by half_skin, ascending.
-  /// Each pair is in two lists. All pairs are looked at: that is rare, and cheaper than a grid for most robots.
+  /// Each pair is in two lists. Chunks of voxels that are far away as a whole are passed over.
   /// @return false if there are more than the lists hold
   MENGER_HOST_DEVICE bool list_partners() {
     path_m_ = Real(0);
+    box_chunks();
+    thread_.wait();
     bool fits = true;
     for (std::size_t s = thread_.index(); s < robot_.surface_voxels; s += thread_.count()) {
       const Vector3<Real> here = place(index(robot_.surface, s));
       std::int32_t* list = arrays_.partners + robot_.partners + s;
       std::uint32_t count = 0;
-      for (std::size_t t = 0; t < robot_.surface_voxels; ++t) {
-        const std::size_t other = index(robot_.surface, t);
-        const Vector3<Real> apart = place(other) - here;
-        if (!(dot(apart, apart) < robot_.list_reach2) || t == s || !may_collide(s, other)) continue;
-        if (count == most_partners) {
-          fits = false;
-          break;
+      for (std::size_t c = 0; c < robot_.chunks() && count <= most_partners; ++c) {
+        if (!is_near_chunk(here, c)) continue;
+        const std::size_t end = std::min<std::size_t>((c + 1) * voxels_of_chunk, robot_.surface_voxels);
+        for (std::size_t t = c * voxels_of_chunk; t < end; ++t) {
+          const std::size_t other = index(robot_.surface, t);
+          const Vector3<Real> apart = place(other) - here;
+          if (!(dot(apart, apart) < robot_.list_reach2) || t == s || !may_collide(s, other)) continue;
+          if (++count > most_partners) break;
+          list[std::size_t{count} * robot_.surface_voxels] = static_cast<std::int32_t>(other);
         }
-        ++count;
-        list[std::size_t{count} * robot_.surface_voxels] = static_cast<std::int32_t>(other);
+      }
+      if (count > most_partners) {
+        count = most_partners;
+        fits = false;
       }
       list[0] = static_cast<std::int32_t>(count);
     }
@@ -531,30 +617,40 @@ class RobotStepper {
     return {c.inverse_mass * momentum, c.floor.stiffness, c.floor.damping};
   }
 
-  /// Adds the contact forces on every surface voxel of this thread, in the order of their partners. This is the order in which
-  /// add_contact_loads goes through the pairs. Every force is computed twice, once for either voxel.
+  /// Adds the contact forces on the surface voxels. A voxel whose load was gathered is that of the same thread here.
   MENGER_HOST_DEVICE void add_contact_loads() const {
-    for (std::size_t s = thread_.index(); s < robot_.surface_voxels; s += thread_.count()) {
-      const std::int32_t* list = arrays_.partners + robot_.partners + s;
-      const std::int32_t count = list[0];
-      if (count == 0) continue;
-      const std::size_t voxel = index(robot_.surface, s);
-      const Vector3<Real> here = place(voxel);
-      const Real size = size_of(voxel);
-      for (std::int32_t n = 1; n <= count; ++n) {
-        const auto other = static_cast<std::size_t>(list[static_cast<std::size_t>(n) * robot_.surface_voxels]);
-        const Vector3<Real> apart = place(other) - here;
-        const Real distance2 = dot(apart, apart);
-        const Real reach = constant<Real>(collision_radius_fraction) * (size + size_of(other));
-        if (!spheres_overlap(distance2, reach)) continue;
-        Vector3<Real> force;
-        if (voxel < other) {
-          force = -contact_force(apart, distance2, reach, contact_end(voxel), contact_end(other));
-        } else {
-          force = contact_force(-apart, distance2, reach, contact_end(other), contact_end(voxel));
-        }
-        add(voxel, AxisOrder{{0, 1, 2}}, 0, force);
+    if constexpr (Gathers) {
+      for (std::size_t i = thread_.index(); i < robot_.voxels; i += thread_.count()) {
+        const std::int32_t position = arrays_.indices[robot_.surface_position + i];
+        if (position >= 0) add_contact_loads_of(static_cast<std::size_t>(position));
       }
+    } else {
+      for (std::size_t s = thread_.index(); s < robot_.surface_voxels; s += thread_.count()) add_contact_loads_of(s);
+    }
+  }
+
+  /// Adds the contact forces on a surface voxel, in the order of its partners. This is the order in which the engine goes through
+  /// the pairs. Every force is computed twice, once for either voxel.
+  MENGER_HOST_DEVICE void add_contact_loads_of(std::size_t s) const {
+    const std::int32_t* list = arrays_.partners + robot_.partners + s;
+    const std::int32_t count = list[0];
+    if (count == 0) return;
+    const std::size_t voxel = index(robot_.surface, s);
+    const Vector3<Real> here = place(voxel);
+    const Real size = size_of(voxel);
+    for (std::int32_t n = 1; n <= count; ++n) {
+      const auto other = static_cast<std::size_t>(list[static_cast<std::size_t>(n) * robot_.surface_voxels]);
+      const Vector3<Real> apart = place(other) - here;
+      const Real distance2 = dot(apart, apart);
+      const Real reach = constant<Real>(collision_radius_fraction) * (size + size_of(other));
+      if (!spheres_overlap(distance2, reach)) continue;
+      Vector3<Real> force;
+      if (voxel < other) {
+        force = -contact_force(apart, distance2, reach, contact_end(voxel), contact_end(other));
+      } else {
+        force = contact_force(-apart, distance2, reach, contact_end(other), contact_end(voxel));
+      }
+      add(voxel, AxisOrder{{0, 1, 2}}, 0, force);
     }
   }
 

@@ -409,5 +409,16 @@ TEST_F(StudyFile, NotesThatPoissonsRatioIsNotThePapers) {
   EXPECT_NE(notes.front().find("0.5"), std::string::npos);
 }
 
+TEST_F(StudyFile, NotesWhatKeepsAGraphicsProcessorIdle) {
+  const auto noted = [&](const std::string& evaluation, const std::string& text) {
+    const auto notes = study_notes(read("preset = \"paper\"\n[evaluation]\n" + evaluation));
+    return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(noted("device = \"cuda\"\n", "pruning = false"));
+  EXPECT_FALSE(noted("device = \"cuda\"\npruning = false\n", "graphics processor"));
+  EXPECT_FALSE(noted("device = \"cpu\"\n", "graphics processor"));
+  EXPECT_FALSE(noted("device = \"cuda\"\n[population]\nselection = \"steady_state\"\n", "graphics processor"));
+}
+
 }  // namespace
 }  // namespace menger::evolution

@@ -158,12 +158,14 @@ TEST(DeviceSteps, GiveTheBytesOfTheEngineForLoads) {
   }
 }
 
-TEST(DeviceSteps, FindContactsBetweenPartsThatComeTogether) {
-  // Two halves of a body without a beam between them fly towards each other.
-  meshes::Polycube body(9, 2, 2);
-  for (const int x : {0, 1, 2, 6, 7, 8}) {
-    for (int y = 0; y < 2; ++y) {
-      for (int z = 0; z < 2; ++z) body.set({x, y, z}, 1);
+/// Two parts of a body without a beam between them fly towards each other.
+void expect_same_bytes_of_collision(int length, int width) {
+  const int gap = 3;
+  meshes::Polycube body(2 * length + gap, width, width);
+  for (int x = 0; x < 2 * length + gap; ++x) {
+    if (x >= length && x < length + gap) continue;
+    for (int y = 0; y < width; ++y) {
+      for (int z = 0; z < width; ++z) body.set({x, y, z}, 1);
     }
   }
   for (Physics physics : modes()) {
@@ -171,16 +173,31 @@ TEST(DeviceSteps, FindContactsBetweenPartsThatComeTogether) {
     physics.floor = false;
     VoxelLoads loads;
     for (const meshes::CellIndex& cell : body.occupied())
-      loads.initial_velocity_m_s.push_back({cell.x < 4 ? 0.5 : -0.5, 0.0, 0.0});
-    const auto halves = [&] {
+      loads.initial_velocity_m_s.push_back({cell.x <= length ? 0.5 : -0.5, 0.0, 0.0});
+    const auto parts = [&] {
       std::vector<Simulation> simulations;
       simulations.emplace_back(body, 0.01, physics, loads);
       return simulations;
     };
-    std::vector<Simulation> engine = halves();
+    std::vector<Simulation> engine = parts();
     ASSERT_EQ(engine.front().advance_to(0.06), io::RunStatus::completed);
-    EXPECT_LT(engine.front().velocity_m_s(0)[0], 0.3);  // they have met
-    expect_same_bytes(halves, 0.06);
+    const auto last_in_row = static_cast<std::size_t>(length - 1);  // of the first part
+    EXPECT_LT(engine.front().velocity_m_s(last_in_row)[0], 0.3);    // they have met
+    expect_same_bytes(parts, 0.06);
+  }
+}
+
+TEST(DeviceSteps, FindContactsBetweenPartsThatComeTogether) { expect_same_bytes_of_collision(3, 2); }
+
+TEST(DeviceSteps, FindContactsOfBodiesTooLargeForABlock) { expect_same_bytes_of_collision(10, 12); }
+
+TEST(DeviceSteps, GiveTheBytesOfTheEngineForBodiesTooLargeForABlock) {
+  const std::vector<meshes::Polycube> bodies{meshes::fractal(random_bodies(1, sponge).front(), 3), meshes::full_cube(14)};
+  for (Physics physics : modes()) {
+    expect_same_bytes(bodies, physics, 0.004);
+    physics.materials[1].youngs_modulus_Pa = 2e4;
+    physics.lateral_coupling = 0.3;
+    expect_same_bytes(bodies, physics, 0.001);
   }
 }
 
@@ -276,6 +293,14 @@ TEST(DeviceSteps, GiveTheBytesOfTheEngineForCalibratedBodies) {
   }
 }
 
+TEST(DeviceSteps, GiveTheBytesOfTheEngineForCalibratedBodiesTooLargeForABlock) {
+  for (const Physics& mode : modes()) {
+    Physics physics = calibrated(mode);
+    physics.surrogate->parameters.lateral_coupling = 0.3;
+    expect_same_bytes({meshes::full_cube(14)}, physics, 0.02);
+  }
+}
+
 TEST(DeviceSteps, GiveTheBytesOfTheEngineForPhasesOfChambers) {
   for (const Physics& mode : modes()) {
     Physics physics = calibrated(mode);
@@ -349,22 +374,28 @@ std::vector<meshes::Polycube> bodies_of_all_sizes() {
   return bodies;
 }
 
+/// Rounding grows along the way: over less than a gait, to less than this.
+double allowed_difference_m(const Physics& physics) { return physics.integration.number == NumberType::float64 ? 1e-9 : 1e-4; }
+
+void expect_same_positions(const std::vector<meshes::Polycube>& bodies, const Physics& physics, double time_s) {
+  double largest_m = 0.0;
+  expect_same([&] { return simulations_of(bodies, physics); }, time_s, Stepper::graphics_processor,
+              [&](const Simulation& robot, const Simulation& alone) {
+                for (std::size_t i = 0; i < robot.voxel_count(); ++i) {
+                  for (std::size_t k = 0; k < 3; ++k)
+                    largest_m = std::max(largest_m, std::abs(robot.position_m(i)[k] - alone.position_m(i)[k]));
+                }
+              });
+  std::cout << "  positions differ by " << largest_m << " m at most\n";
+  EXPECT_LT(largest_m, allowed_difference_m(physics));
+}
+
 TEST(GraphicsProcessor, StepsRobotsAsTheEngineDoes) {
   if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty()) GTEST_SKIP() << obstacle;
-  for (const Physics& physics : modes()) {
-    // Rounding grows along the way: over 0.02 s, a tenth of a gait, to less than this share of a voxel's edge.
-    const double allowed_m = physics.integration.number == NumberType::float64 ? 1e-9 : 1e-4;
-    double largest_m = 0.0;
-    expect_same([&] { return simulations_of(bodies_of_all_sizes(), physics); }, 0.02, Stepper::graphics_processor,
-                [&](const Simulation& robot, const Simulation& alone) {
-                  for (std::size_t i = 0; i < robot.voxel_count(); ++i) {
-                    for (std::size_t k = 0; k < 3; ++k)
-                      largest_m = std::max(largest_m, std::abs(robot.position_m(i)[k] - alone.position_m(i)[k]));
-                  }
-                });
-    std::cout << "  positions differ by " << largest_m << " m at most\n";
-    EXPECT_LT(largest_m, allowed_m);
-  }
+  std::vector<meshes::Polycube> bodies = bodies_of_all_sizes();
+  for (const Physics& physics : modes()) expect_same_positions(bodies, physics, 0.02);
+  bodies.pop_back();  // all fit the memory of blocks then
+  for (const Physics& physics : modes()) expect_same_positions(bodies, physics, 0.02);
 }
 
 TEST(GraphicsProcessor, StepsCalibratedBodiesAsTheEngineDoes) {
@@ -372,17 +403,10 @@ TEST(GraphicsProcessor, StepsCalibratedBodiesAsTheEngineDoes) {
   for (const Physics& mode : modes()) {
     Physics physics = calibrated(mode);
     physics.surrogate->parameters.lateral_coupling = 0.3;
-    const double allowed_m = physics.integration.number == NumberType::float64 ? 1e-9 : 1e-4;
-    double largest_m = 0.0;
-    expect_same([&] { return simulations_of(hollow_bodies(), physics); }, 0.05, Stepper::graphics_processor,
-                [&](const Simulation& robot, const Simulation& alone) {
-                  for (std::size_t i = 0; i < robot.voxel_count(); ++i) {
-                    for (std::size_t k = 0; k < 3; ++k)
-                      largest_m = std::max(largest_m, std::abs(robot.position_m(i)[k] - alone.position_m(i)[k]));
-                  }
-                });
-    std::cout << "  positions differ by " << largest_m << " m at most\n";
-    EXPECT_LT(largest_m, allowed_m);
+    std::vector<meshes::Polycube> bodies = hollow_bodies();
+    expect_same_positions(bodies, physics, 0.05);
+    bodies.push_back(meshes::full_cube(14));  // too large for the memory of a block
+    expect_same_positions(bodies, physics, 0.05);
   }
 }
 
@@ -410,7 +434,8 @@ TEST(GraphicsProcessor, SaysOfADivergingRobotThatItDiverged) {
   if (const std::string obstacle = io::obstacle_to_device(); !obstacle.empty()) GTEST_SKIP() << obstacle;
   for (Physics physics : modes()) {
     physics.integration.time_step_fraction = 1.5;
-    const std::vector<meshes::Polycube> bodies = random_bodies(4, std::string(27, 'm'));
+    std::vector<meshes::Polycube> bodies = random_bodies(4, std::string(27, 'm'));
+    bodies.push_back(meshes::full_cube(14));
     std::vector<Simulation> robots = simulations_of(bodies, physics);
     const DeviceAdvance advance = advance_on_device_to(robots, 0.2, nullptr, Stepper::graphics_processor);
     for (std::size_t i = 0; i < robots.size(); ++i) {
