@@ -87,6 +87,21 @@ std::string named_law(const materials::SourcedLaw& sourced) {
   return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
 }
 
+/// The keys of robot.toml that mean a law of the record: "law_name = "ogden1"", with law_variant where the record has several.
+std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
+  const std::string line = materials::law_line(law.law);
+  if (materials::law_line(record.recommended.law) == line) return "without law_name";
+  std::size_t variant = 0;
+  std::size_t count = 0;
+  for (const materials::SourcedLaw& other : record.others) {
+    if (materials::name_of(other.law) != materials::name_of(law.law)) continue;
+    ++count;
+    if (variant == 0 && materials::law_line(other.law) == line) variant = count;
+  }
+  const std::string name = "law_name = \"" + std::string(materials::name_of(law.law)) + "\"";
+  return count == 1 ? name : name + " with law_variant = " + std::to_string(variant);
+}
+
 std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot) {
   std::vector<materials::SourcedLaw> laws{robot.record.recommended};
   laws.insert(laws.end(), robot.record.others.begin(), robot.record.others.end());
@@ -102,13 +117,13 @@ std::string law_summary_of(const Robot& robot) {
   if (others.empty()) return text + "; the record has no other law";
   const auto times = [&](const materials::SourcedLaw& law) {
     return io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa) + " times as much (" +
-           named_law(law) + ")";
+           named_law(law) + "; " + keys_of(law, robot.record) + ")";
   };
   const auto [softest, stiffest] = materials::softest_and_stiffest(others);
   const bool is_one = others.size() == 1;
   text += (is_one ? "; the other law of the record has " : "; the other laws of the record have ") + times(softest);
   if (!is_one) text += " to " + times(stiffest);
-  return text + ". The pressure that a body bears goes nearly with it; law_name in robot.toml takes another one";
+  return text + ". The pressure that a body bears goes nearly with it; keys in brackets are those of robot.toml";
 }
 
 std::string summary_of(const Robot& robot) {

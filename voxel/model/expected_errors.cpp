@@ -133,14 +133,15 @@ std::vector<std::string> expected_error_text(const KnownErrors& known, const Cal
   const BodyKind kind = kind_of(basal_body, calibrated.level);
   const std::optional<KindErrors>& errors = known.errors->of(kind);
   if (!errors) return {no_validation_of(kind)};
-  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + ": " + medians_text(*errors) + " (" +
-                                 basis_text(errors->bodies) + "; " + ninth_decile_text(*errors) + "); " + about_shape};
+  const std::vector<std::string> faults = outside_validity(calibrated, basal_body);
+  const std::string covered = faults.empty() ? "" : " within what was validated, which this body is not";
+  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + covered + ": " + medians_text(*errors) +
+                                 " (" + basis_text(errors->bodies) + "; " + ninth_decile_text(*errors) + "); " + about_shape};
   if (is_bad(*errors)) lines.push_back(poor_model_of(kind));
   if (errors->wrong_signs > 0)
     lines.push_back(std::string(warning) + wrong_signs_text(*errors) +
                     " displacements went the wrong way on bodies of this kind");
-  for (const std::string& fault : outside_validity(calibrated, basal_body))
-    lines.push_back(std::string(warning) + "no validation covers this body: " + fault);
+  for (const std::string& fault : faults) lines.push_back(std::string(warning) + "no validation covers this body: " + fault);
   return lines;
 }
 

@@ -53,12 +53,15 @@ TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
   const tests::TestFolder folder;
   EXPECT_EQ(law_summary_of(read_text(folder, table)),
             "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
-            "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database) to 0.86 times as much "
-            "(yeoh, BJCaasenbrood/SorotokiCode). The pressure that a body bears goes nearly with it; law_name in robot.toml "
-            "takes another one");
+            "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database; law_name = "
+            "\"ogden1\") to 0.86 times as much (yeoh, BJCaasenbrood/SorotokiCode; law_name = \"yeoh\" with law_variant = 2). The "
+            "pressure that a body bears goes nearly with it; keys in brackets are those of robot.toml");
   Robot robot = read_text(folder, table);
   robot.record.others.resize(1);
   EXPECT_NE(law_summary_of(robot).find("; the other law of the record has 0.37 times as much (ogden1"), std::string::npos);
+  robot.law = robot.record.others.front();
+  EXPECT_NE(law_summary_of(robot).find("divided by 1.75; without law_name)"), std::string::npos) << law_summary_of(robot);
+  robot.law = robot.record.recommended;
   robot.record.others.clear();
   EXPECT_NE(law_summary_of(robot).find("; the record has no other law"), std::string::npos);
 }
