@@ -4,8 +4,10 @@
 
 #include "io/shown/shown_quantity.h"
 #include "io/text/is_file.h"
+#include "io/text/joined_text.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "materials/laws/study_law.h"
+#include "meshes/robot/known_parameters.h"
 #include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
 
@@ -91,6 +93,9 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   } else {
     body.parameters = voxel::read_surrogate(file);
   }
+  if (const std::vector<std::string> others = meshes::other_subject_of(file, robot); !others.empty())
+    lines.push_back("warning: " + file.filename().string() +
+                    " was fitted for something else (holds_for): " + io::joined(others, ", "));
   body.pressure_Pa = drive_pressure_Pa(robot);
   body.chambers = robot.chambers;
   const voxel::KnownErrors known = voxel::known_errors(body.parameters, file);

@@ -14,6 +14,7 @@
 #include "evolution/loop/loop_state.h"
 #include "evolution/loop/loop_verdict_file.h"
 #include "io/process/exit_code.h"
+#include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
@@ -510,6 +511,16 @@ TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
   EXPECT_NE(out_.str().find("\nlaw: initial shear modulus "), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("(dragon_skin_10_1cm.toml)"), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("expected error for a plate on legs: "), std::string::npos) << out_.str();
+}
+
+TEST_F(LoopRunTest, FirstLinesWarnOfParametersForOtherCells) {
+  fs::copy_file(io::data_folder(io::parameter_data) / "ecoflex_00_30_12mm.toml", folder_ / "mine.toml");
+  add("[surrogate]\nparameters = \"mine.toml\"\n");
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  EXPECT_NE(out_.str().find("\nwarning: mine.toml was fitted for something else (holds_for): silicone Ecoflex 00-30 in place of "
+                            "Dragon Skin 10, law "),
+            std::string::npos)
+      << out_.str();
 }
 
 TEST_F(LoopRunTest, FirstLinesWarnOfWallsThatLeaveHardlyAChamber) {

@@ -118,6 +118,20 @@ TEST(KnownParameters, AreThoseOfExactlyTheseCells) {
   EXPECT_EQ(name("cell_edge_m = 0.012\nwall_thickness_m = 0.0025\nsilicone = \"ecoflex_00_50\"\n"), "");
 }
 
+TEST(KnownParameters, TellInWhatOtherCellsDiffer) {
+  const tests::TestFolder folder;
+  const fs::path file = *known_parameters(robot_of(folder, ecoflex_12mm));
+  EXPECT_TRUE(other_subject_of(file, robot_of(folder, ecoflex_12mm)).empty());
+  EXPECT_EQ(
+      other_subject_of(file, robot_of(folder, "cell_edge_m = 0.01\nwall_thickness_m = 0.0025\nsilicone = \"ecoflex_00_30\"\n")),
+      std::vector<std::string>{"cell_edge_m 0.012 in place of 0.01"});
+  const std::vector<std::string> soft =
+      other_subject_of(file, robot_of(folder, ecoflex_12mm + std::string("law_name = \"ogden1\"\n")));
+  ASSERT_EQ(soft.size(), 1U);
+  EXPECT_TRUE(soft.front().starts_with("law name = \"neo_hookean\", shear_modulus_Pa = 39399 in place of name = \"ogden1\""))
+      << soft.front();
+}
+
 TEST(RobotStudies, TakeTheParametersThatAreGivenKnownOrFitted) {
   const tests::TestFolder folder;
   const auto parameters = [&](const std::string& more) {
