@@ -80,31 +80,92 @@ std::string mesh_text(const fs::path& results) {
   return io::shown(1e6 * solid_m3, 3) + " cm3 of silicone around " + io::shown(1e6 * air_m3, 3) + " cm3 of air";
 }
 
-/// Volume of all chambers in the states of an inflation, m3.
-std::vector<double> chamber_volumes_m3(const io::CsvContents& curves) {
-  std::vector<double> volumes(curves.row_count(), 0.0);
+/// A chamber, or several that are joined, in the states of an inflation.
+struct Chamber {
+  std::vector<double> pressures_Pa;
+  std::vector<double> volumes_m3;
+};
+
+std::vector<Chamber> chambers_in(const io::CsvContents& curves) {
+  std::vector<Chamber> chambers;
   for (const std::string& column : curves.columns()) {
-    if (!column.starts_with("plenum") || !column.ends_with("_volume_m3")) continue;
-    for (std::size_t row = 0; row < volumes.size(); ++row) volumes[row] += curves.number(row, column);
+    constexpr std::string_view end = "_volume_m3";
+    if (!column.starts_with("plenum") || !column.ends_with(end)) continue;
+    const std::string name = column.substr(0, column.size() - end.size());
+    chambers.push_back({curves.numbers(name + "_pressure_Pa"), curves.numbers(column)});
   }
-  return volumes;
+  return chambers;
+}
+
+/// The volume of all chambers, each where its pressure is the drive's, over that at rest; nothing if that was not reached.
+std::optional<double> growth_at(const std::vector<Chamber>& chambers, double pressure_Pa) {
+  constexpr double tolerance_Pa = 1.0;
+  double at_rest_m3 = 0.0;
+  double driven_m3 = 0.0;
+  for (const Chamber& chamber : chambers) {
+    const auto reached = std::ranges::find_if(chamber.pressures_Pa,
+                                              [&](double state_Pa) { return std::abs(state_Pa - pressure_Pa) <= tolerance_Pa; });
+    if (reached == chamber.pressures_Pa.end()) return std::nullopt;
+    at_rest_m3 += chamber.volumes_m3.front();
+    driven_m3 += chamber.volumes_m3[static_cast<std::size_t>(reached - chamber.pressures_Pa.begin())];
+  }
+  return at_rest_m3 > 0.0 ? std::optional(driven_m3 / at_rest_m3) : std::nullopt;
+}
+
+/// The pressure of the drive that is furthest from 0.
+double strongest_pressure_Pa(const meshes::Robot& robot) {
+  const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot);
+  return -lowest_Pa > highest_Pa ? lowest_Pa : highest_Pa;
+}
+
+/// The pressure furthest from 0 in the last state of an inflation.
+double last_pressure_Pa(const std::vector<Chamber>& chambers) {
+  double last_Pa = 0.0;
+  for (const Chamber& chamber : chambers) {
+    if (!chamber.pressures_Pa.empty() && std::abs(chamber.pressures_Pa.back()) > std::abs(last_Pa))
+      last_Pa = chamber.pressures_Pa.back();
+  }
+  return last_Pa;
+}
+
+/// "6 kPa", and in which chambers where a drive loads them by turns.
+std::string driven_text(const meshes::Robot& robot, double pressure_Pa) {
+  return kilopascals(pressure_Pa) + (robot.drive == meshes::RobotDrive::antiphase ? " in the chambers of one material" : "");
+}
+
+/// How the inflation to the states of the drive ended early, and where; empty if it did not.
+std::string inflation_end(const fs::path& results, const meshes::Robot& robot) {
+  const auto result = table_at(results / "inflate/result.toml");
+  if (!result) return "";
+  const std::string end = early_end(*result);
+  if (end.empty() || !io::is_file(results / "inflate/curves.csv")) return end;
+  const double last_Pa = last_pressure_Pa(chambers_in(io::read_csv(results / "inflate/curves.csv")));
+  if (result->text("status") == "wall_contact") return "walls of a chamber touch at " + driven_text(robot, last_Pa);
+  return end + ", at " + driven_text(robot, last_Pa);
 }
 
 std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
-  const auto result = table_at(results / "inflate/result.toml");
-  if (!result) return "";
-  std::string end = early_end(*result);
-  const std::vector<double> volumes_m3 = chamber_volumes_m3(io::read_csv(results / "inflate/curves.csv"));
-  if (!end.empty() || volumes_m3.size() < 2) return end;
-  const double change = volumes_m3.back() / volumes_m3.front() - 1.0;
-  return "at " + kilopascals(drive_pressure_Pa(robot)[1]) + " it holds " + io::formatted("%.0f", 100.0 * std::abs(change)) +
-         (change < 0.0 ? " % less air" : " % more air");
+  if (!table_at(results / "inflate/result.toml")) return "";
+  if (std::string end = inflation_end(results, robot); !end.empty()) return end;
+  const double pressure_Pa = strongest_pressure_Pa(robot);
+  const auto growth = growth_at(chambers_in(io::read_csv(results / "inflate/curves.csv")), pressure_Pa);
+  if (!growth) return "";
+  return "at " + driven_text(robot, pressure_Pa) +
+         (robot.drive == meshes::RobotDrive::antiphase ? " these hold " : " it holds ") +
+         io::formatted("%.0f", 100.0 * std::abs(*growth - 1.0)) + (*growth < 1.0 ? " % less air" : " % more air");
 }
 
+/// The least pressure at which the body balloons: of the search for it, where all chambers have one pressure, and of the
+/// inflation to the states of the drive, where that ended so.
 std::optional<double> limit_pressure_Pa(const fs::path& results) {
-  const auto result = table_at(results / "limit/result.toml");
-  const auto limit = result ? meshes::limit_pressure(*result) : std::nullopt;
-  return limit ? std::optional(limit->pressure_Pa) : std::nullopt;
+  std::optional<double> least_Pa;
+  for (const char* const stage : {"limit", "inflate"}) {
+    const auto result = table_at(results / stage / "result.toml");
+    const bool counts = result && (stage == std::string("limit") || result->text("status") == "limit_point");
+    const auto limit = counts ? meshes::limit_pressure(*result) : std::nullopt;
+    if (limit) least_Pa = std::min(limit->pressure_Pa, least_Pa.value_or(limit->pressure_Pa));
+  }
+  return least_Pa;
 }
 
 std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
@@ -112,8 +173,9 @@ std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
   if (!result) return "";
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   if (const auto limit_Pa = limit_pressure_Pa(results)) {
-    return "it balloons at " + kilopascals(*limit_Pa) + "; the drive of " + kilopascals(drive_Pa) + " is " +
-           percents(drive_Pa / *limit_Pa) + " of that";
+    return "it balloons at " + kilopascals(*limit_Pa) +
+           (robot.drive == meshes::RobotDrive::antiphase ? " in all chambers together; the drive of " : "; the drive of ") +
+           kilopascals(drive_Pa) + " is " + percents(drive_Pa / *limit_Pa) + " of that";
   }
   const io::CsvContents curves = io::read_csv(results / "limit/curves.csv");
   double highest_Pa = 0.0;
@@ -206,11 +268,12 @@ std::string line_of(const fs::path& log, const std::string& beginning) {
   return text.substr(start + 1, text.find('\n', start + 1) - start - 1);
 }
 
-std::string validate_text(const fs::path& results) {
+std::string validate_text(const fs::path& results, const meshes::Robot& robot) {
   const auto errors = shape_errors(results);
   if (!errors) return "";
   if (!errors->displacement && !errors->volume) return "the voxels have no equilibrium where they were compared";
-  std::string text = "shape of this very body: ";
+  std::string text = robot.drive == meshes::RobotDrive::antiphase ? "shape of this very body, all chambers at one pressure: "
+                                                                  : "shape of this very body: ";
   if (errors->displacement) text += percents(*errors->displacement) + " off in displacements";
   if (errors->volume) text += (errors->displacement ? ", " : "") + percents(*errors->volume) + " in chamber volume";
   text += " (medians)";
@@ -247,7 +310,7 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   if (stage == "limit") return limit_text(results, robot);
   if (stage == "load_cases") return load_cases_text(results);
   if (stage == "calibrate") return calibrate_text(results);
-  if (stage == "validate") return validate_text(results);
+  if (stage == "validate") return validate_text(results, robot);
   if (stage == "simulate") return walk_text(results / "simulate/result.toml");
   if (stage == "locomote" || stage == "locomote_finer") return walk_text(results / stage / "locomotion.toml");
   if (stage == "evolve") return line_of(results / "logs/evolve.txt", "Champion: ");
@@ -329,14 +392,27 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
          by_softest;
 }
 
+/// Whether the walls of chambers touch before a drive has come to its lowest pressure.
+std::string contact_verdict(const fs::path& results, const meshes::Robot& robot) {
+  const auto inflation = table_at(results / "inflate/result.toml");
+  if (!inflation) return "";
+  const double lowest_Pa = drive_pressure_Pa(robot)[0];
+  if (inflation->text("status") != "wall_contact")
+    return lowest_Pa < 0.0 && early_end(*inflation).empty()
+               ? "Down to " + kilopascals(lowest_Pa) + " no walls of a chamber touch."
+               : "";
+  return "Before the drive has come to " + kilopascals(strongest_pressure_Pa(robot)) + ", " + inflation_end(results, robot) +
+         ": shapes beyond are not computed, and walks have walls that press on each other, which makes them less sure.";
+}
+
 /// @param is_inflated whether the results have an inflation up to the pressure of the drive
 std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot, bool is_inflated) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const auto limit_Pa = limit_pressure_Pa(results);
   if (limit_Pa && drive_Pa > *limit_Pa) return limit_verdict(robot, *limit_Pa);
   const auto inflation = is_inflated ? table_at(results / "inflate/result.toml") : std::nullopt;
-  if (!inflation) return "";
-  if (const std::string end = early_end(*inflation); !end.empty())
+  if (!inflation || drive_Pa <= 0.0) return "";
+  if (const std::string end = inflation_end(results, robot); !end.empty() && inflation->text("status") != "wall_contact")
     return "Whether the body bears its pressure is not known: its inflation ended before " + kilopascals(drive_Pa) + " (" + end +
            ").";
   if (!limit_Pa)
@@ -353,14 +429,14 @@ std::string elements_verdict(const fs::path& results, const meshes::Robot& robot
   const auto inflation = table_at(results / "inflate/result.toml");
   if (robot.chambers != meshes::ChamberLayout::single || !inflation || !early_end(*inflation).empty()) return "";
   if (!io::is_file(results / "inflate/curves.csv") || !io::is_file(results / "validate/errors.csv")) return "";
-  const std::vector<double> volumes_m3 = chamber_volumes_m3(io::read_csv(results / "inflate/curves.csv"));
-  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  const double drive_Pa = strongest_pressure_Pa(robot);
+  const auto grown = growth_at(chambers_in(io::read_csv(results / "inflate/curves.csv")), drive_Pa);
   const io::CsvContents compared = io::read_csv(results / "validate/errors.csv");
   for (std::size_t row = 0; row < compared.row_count(); ++row) {
     const bool is_there =
         compared.text(row, "observable") == "volume_change" && std::abs(compared.number(row, "pressure_Pa") - drive_Pa) <= 1.0;
-    if (!is_there || volumes_m3.size() < 2) continue;
-    const double thin = volumes_m3.back() / volumes_m3.front();
+    if (!is_there || !grown) continue;
+    const double thin = *grown;
     const double quadratic = 1.0 + compared.number(row, "finite_elements");
     const double difference = std::abs(quadratic / thin - 1.0);
     if (difference <= same_growth) return "";
@@ -430,6 +506,7 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
   };
   try {
     if (stages.contains("limit")) add(pressure_verdict(results, robot, stages.contains("inflate")));
+    if (stages.contains("inflate")) add(contact_verdict(results, robot));
     if (stages.contains("inflate") && stages.contains("validate")) add(elements_verdict(results, robot));
     if (const auto errors = stages.contains("validate") ? shape_errors(results) : std::nullopt) add(shape_verdict(*errors));
     const auto walk_of = [&](const std::string& stage, const std::string& file, const std::string& model) {

@@ -1,5 +1,6 @@
 #include "evolution/loop/loop_forecast.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/shown/shown_quantity.h"
@@ -7,6 +8,7 @@
 #include "io/text/joined_text.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "materials/laws/study_law.h"
+#include "meshes/robot/calibration_cases.h"
 #include "meshes/robot/known_parameters.h"
 #include "voxel/model/expected_errors.h"
 #include "voxel/model/surrogate_file.h"
@@ -59,6 +61,18 @@ std::string other_law_note(const meshes::Robot& robot) {
 /// Up to this frequency pneumatic robots of this size are driven.
 constexpr double usual_drives_Hz = 20.0;
 
+/// What the load cases of a fit have not, and a robot has.
+std::vector<std::string> gaps_of_fit(const meshes::Robot& robot) {
+  if (!robot.has_body() || robot.evolves) return {};
+  std::vector<std::string> gaps;
+  if (meshes::chamber_count(robot) > 1) gaps.emplace_back("it has several chambers, and the bodies of the fit have one each");
+  const meshes::Polycube& body = robot.design.body;
+  const int longest = std::max({body.nx(), body.ny(), body.nz()});
+  if (const int fitted = meshes::longest_fitted_body_cells(); longest > fitted)
+    gaps.push_back("it is " + std::to_string(longest) + " cells long, and the longest of the fit " + std::to_string(fitted));
+  return gaps;
+}
+
 std::string fast_drive_note(const meshes::Robot& robot) {
   if (robot.drive == meshes::RobotDrive::hold || robot.frequency_Hz <= usual_drives_Hz) return "";
   return "note: drive.frequency_Hz = " + io::shown(robot.frequency_Hz) +
@@ -76,10 +90,11 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
       static_cast<void>(voxel::read_surrogate(file));  // says what is wrong
+    for (const std::string& gap : gaps_of_fit(robot)) lines.push_back("warning: the fit will not cover this body: " + gap);
     lines.emplace_back(
-        "expected error: not known before the fit; the stage validate measures it on this very body. Shapes are often within 15 "
-        "%, "
-        "walks are not: distances of the surrogate cannot be trusted");
+        "expected error: not known before the fit; the stage validate measures it on this very body. Distances that the "
+        "surrogate "
+        "walks cannot be trusted");
     return lines;
   }
   voxel::CalibratedBody body;
@@ -99,8 +114,10 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   body.pressure_Pa = drive_pressure_Pa(robot);
   body.chambers = robot.chambers;
   const voxel::KnownErrors known = voxel::known_errors(body.parameters, file);
-  const std::vector<std::string> expected =
-      robot.has_body() ? expected_error_text(known, body, robot.design.body) : expected_error_text(known, false);
+  // A search that runs again may find another body than the one that it has found.
+  const std::vector<std::string> expected = robot.has_body() && !robot.evolves
+                                                ? expected_error_text(known, body, robot.design.body)
+                                                : expected_error_text(known, false);
   lines.insert(lines.end(), expected.begin(), expected.end());
   return lines;
 }

@@ -430,7 +430,7 @@ class LoopRun {
     if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return std::nullopt;
     fs::path aside;
     for (int number = 1; aside.empty() || fs::exists(aside, error); ++number)
-      aside = places_.results / "earlier" / (stage.name + "_" + std::to_string(number));
+      aside = places_.results / set_aside_folder / (stage.name + "_" + std::to_string(number));
     fs::create_directories(aside.parent_path(), error);
     fs::rename(folder, aside, error);
     if (error) throw io::InputError(folder.string() + ": cannot be moved to " + aside.string() + ": " + error.message());
@@ -475,8 +475,24 @@ class LoopRun {
 
   /// What came out. It is found once, so that the report and the terminal say it in the same words.
   const std::vector<std::string>& verdict() {
-    if (!verdict_) verdict_ = loop_verdict(places_.results, robot_, current_);
+    if (!verdict_) {
+      verdict_ = loop_verdict(places_.results, robot_, current_);
+      if (const std::string missing = not_computed(); !missing.empty()) verdict_->insert(verdict_->begin(), missing);
+    }
     return *verdict_;
+  }
+
+  /// Which stages have no results, although they were to have some.
+  std::string not_computed() {
+    std::vector<std::string> names;
+    for (const LoopStage& stage : stages_) {
+      const StageRecord* record = state_->find(stage.name);
+      const bool has_failed =
+          record != nullptr && (record->status == StageStatus::refused || record->status == StageStatus::failed);
+      if (has_failed && stage.program != "menger-report") names.push_back(stage.name);
+    }
+    if (names.empty()) return "";
+    return "Not computed: " + io::joined(names) + ". The end of logs/" + names.front() + ".txt says why.";
   }
 
   /// Leaves what came out for the report.

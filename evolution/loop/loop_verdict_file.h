@@ -4,9 +4,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace menger::evolution {
+
+/// Folder in the results of a loop to which results of another study make way.
+inline constexpr std::string_view set_aside_folder = "earlier";
 
 /// What a loop says came out, as it leaves it for the report in loop_verdict.json.
 struct LoopVerdict {

@@ -162,6 +162,7 @@ std::string title_of(const fs::path& folder, const std::vector<CommandOutput>& o
   std::error_code ignored;
   fs::path whole = fs::weakly_canonical(folder, ignored);
   if (whole.filename().empty()) whole = whole.parent_path();
+  if (whole.filename() == "results" && whole.has_parent_path()) whole = whole.parent_path();  // of the robot in the folder above
   return "Report: " + (whole.filename().empty() ? folder.string() : whole.filename().string());
 }
 
@@ -238,6 +239,10 @@ ReportResult write_report(const fs::path& place, const ReportOptions& options) {
   if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
   const LoopVerdict loop = verdict_of_loop(folder, page.notes);
   leave_out(folder, loop.left_behind, outputs, page.notes);
+  // What a loop set aside is of another robot.toml.
+  if (!loop.results.empty())
+    std::erase_if(outputs,
+                  [](const CommandOutput& output) { return fs::path(output.place).begin()->string() == set_aside_folder; });
   if (outputs.empty())
     throw io::InputError(folder.string() + ": all results are of an earlier robot.toml; run menger loop again");
   result.outputs = outputs.size();

@@ -287,8 +287,8 @@ void describe_end(io::StudyVisitor& visitor, PathOptions& path) {
   bool ends_at_limit_point = static_cast<bool>(path.ends_at);
   visitor.boolean(
       {"end_at_limit_point",
-       "Whether the path ends, completed, once it has passed a limit point: the largest pressure that the chambers bear. "
-       "Only a path of volumes or of gas passes one."},
+       "Whether the path ends, completed, at a limit point: the largest pressure that the chambers bear. A path of volumes or of "
+       "gas passes it; one of pressures comes as near as it can."},
       ends_at_limit_point);
   path.ends_at = {};
   if (ends_at_limit_point)

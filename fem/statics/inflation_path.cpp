@@ -357,6 +357,10 @@ void PathFollower::end_at_smallest_step() {
     limit = LimitPoint{plenum, last.pressures_Pa[plenum], last.plenum_volumes_m3[plenum], false};
   }
   report_.limit_points.push_back(*limit);
+  if (options_.ends_at && options_.ends_at(last, report_.limit_points)) {
+    report_.status = io::RunStatus::completed;
+    return;
+  }
   end(io::RunStatus::limit_point,
       "no stable equilibrium beyond this pressure (" + failure_ + "); control by volume passes such a point");
 }

@@ -50,7 +50,8 @@ struct PathOptions {
   std::vector<double> stations;  ///< values of s to stop at exactly, in addition to the knots
   /// Walls touch when their gap is smaller than this times the chamber's size. 0: contact is not searched for.
   double touching_gap = 1e-3;
-  /// Called after every step; true ends the path there with status `completed`. May be empty.
+  /// Called after every step, and at a limit point that the path cannot pass; true ends the path there with status `completed`.
+  /// May be empty.
   std::function<bool(const PathPoint& point, const std::vector<LimitPoint>& limit_points)> ends_at{};
 };
 

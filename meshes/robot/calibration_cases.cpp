@@ -123,10 +123,20 @@ std::string calibration_cases_text(const Robot& robot) {
 bool is_fitted_body(const Robot& robot) {
   const Polycube& body = robot.design.body;
   const std::array<std::int64_t, 3> cells{body.nx(), body.ny(), body.nz()};
+  std::string digits = body.digits();
+  const bool has_both = digits.find('1') != std::string::npos && digits.find('2') != std::string::npos;
+  if (has_both && robot.chambers != ChamberLayout::single) return false;
+  std::ranges::replace(digits, '2', '1');  // in one chamber, which material a cell has decides nothing
   const std::vector<CalibrationCase> cases = all_cases();
-  return robot.chambers == ChamberLayout::single && std::any_of(cases.begin(), cases.end(), [&](const CalibrationCase& load) {
-           return load.kind == "inflation" && load.level == 1 && load.cells == cells && load.digits == body.digits();
-         });
+  return std::ranges::any_of(cases, [&](const CalibrationCase& load) {
+    return load.kind == "inflation" && load.level == 1 && load.cells == cells && load.digits == digits;
+  });
+}
+
+int longest_fitted_body_cells() {
+  std::int64_t longest = 0;
+  for (const CalibrationCase& load : all_cases()) longest = std::max(longest, *std::ranges::max_element(load.cells));
+  return static_cast<int>(longest);
 }
 
 std::vector<std::string> calibration_case_names() {

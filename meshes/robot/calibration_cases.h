@@ -14,6 +14,9 @@ namespace menger::meshes {
 /// what a fit learns of walls holds for any chambers.
 std::string calibration_cases_text(const Robot& robot);
 
+/// Returns the most cells along an edge of their bodies.
+int longest_fitted_body_cells();
+
 /// Whether the robot itself, inflated, is one of them: then no validation can hold it out.
 bool is_fitted_body(const Robot& robot);
 

@@ -7,6 +7,7 @@
 #include "io/text/formatted.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "materials/laws/law_file.h"
+#include "meshes/design/modular_body.h"
 
 namespace menger::meshes {
 namespace {
@@ -126,6 +127,19 @@ std::string law_summary_of(const Robot& robot) {
   return text + ". The pressure that a body bears goes nearly with it; keys in brackets are those of robot.toml";
 }
 
+std::size_t chamber_count(const Robot& robot) { return ModularBody(robot.design.body, 1, robot.chambers).regions().size(); }
+
+namespace {
+
+std::string chambers_text(const Robot& robot) {
+  if (robot.chambers == ChamberLayout::single) return "one chamber";
+  if (!robot.has_body()) return "a chamber for each region of one material";
+  const std::size_t count = chamber_count(robot);
+  return count == 1 ? "one chamber" : std::to_string(count) + " chambers";
+}
+
+}  // namespace
+
 std::string summary_of(const Robot& robot) {
   const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot);
   std::string text = robot.design.name + ": ";
@@ -133,10 +147,11 @@ std::string summary_of(const Robot& robot) {
   text += robot.has_body() ? std::to_string(cells) + (cells == 1 ? " cell" : " cells") : "a body that a search finds, cells";
   text += " of " + io::millimetres(robot.design.cell_edge_m, 4) + " with walls of " + io::millimetres(robot.wall_thickness_m, 4) +
           ", " + robot.record.name + ", ";
-  text += robot.chambers == ChamberLayout::single ? "one chamber, " : "a chamber for each region of one material, ";
+  text += chambers_text(robot) + ", ";
   if (robot.drive == RobotDrive::hold) return text + "held at " + io::kilopascals(highest_Pa, 4);
-  return text + io::shown(1e-3 * lowest_Pa) + " to " + io::shown(1e-3 * highest_Pa) + " kPa at " + io::shown(robot.frequency_Hz) +
-         " Hz";
+  text +=
+      io::shown(1e-3 * lowest_Pa) + " to " + io::shown(1e-3 * highest_Pa) + " kPa at " + io::shown(robot.frequency_Hz) + " Hz";
+  return robot.drive == RobotDrive::antiphase ? text + ", cells of material 2 half a stroke later" : text;
 }
 
 }  // namespace menger::meshes

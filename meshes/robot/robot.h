@@ -97,6 +97,9 @@ double scaled_pressure_Pa(const Robot& robot, double pressure_Pa);
 /// Returns a number rounded to two significant digits, so that it reads well in a study.
 double two_digits(double value);
 
+/// Returns the number of chambers of a robot that has a body.
+std::size_t chamber_count(const Robot& robot);
+
 /// Returns the robot in one sentence for people: body, cells, walls, silicone, chambers and drive.
 std::string summary_of(const Robot& robot);
 

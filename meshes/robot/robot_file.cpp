@@ -65,8 +65,10 @@ void check_body(const Robot& robot, const io::TomlTable& table) {
 void describe_body(io::StudyVisitor& visitor, Robot& robot) {
   std::optional<bool> evolves;
   if (robot.evolves) evolves = true;
-  visitor.optional_word({"design", "In place of layers: the body is that of the best robot that a search finds.", "\"evolve\""},
-                        evolves, io::Words<bool>{{"evolve", true}});
+  visitor.optional_word(
+      {"design", "In place of layers: the body is that of the best robot that a search finds, of at most 3 x 3 x 3 cells.",
+       "\"evolve\""},
+      evolves, io::Words<bool>{{"evolve", true}});
   robot.evolves = evolves.has_value();
   if (robot.evolves) {
     const io::TomlTable* table = visitor.source();
@@ -114,6 +116,14 @@ void check_drive(const Robot& robot, const io::TomlTable& top) {
                                                     " Pa");
 }
 
+/// Of the air around, absolute.
+constexpr double atmosphere_Pa = 101325.0;
+
+bool has_both_materials(const Polycube& body) {
+  const std::string digits = body.digits();
+  return digits.find('1') != std::string::npos && digits.find('2') != std::string::npos;
+}
+
 bool is_number(const io::TomlTable& table, std::string_view key) {
   if (!table.has(key)) return false;
   try {
@@ -131,7 +141,8 @@ void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
   if (robot.pressure_Pa) pressure_Pa.emplace(robot.pressure_Pa->begin(), robot.pressure_Pa->end());
   visitor.optional_numbers(
       {"pressure_Pa",
-       "Lowest and highest pressure in the chambers, above that around them. Without it, 0 and what "
+       "Lowest and highest pressure in the chambers, above that around them; vacuum is negative, as in [-3000, 0]. Without it, 0 "
+       "and what "
        "loads these walls as 6 kPa loads walls of 2 mm between cells of 10 mm in Dragon Skin 10: the first line of "
        "menger loop has it.",
        "[0, 6000]"},
@@ -140,7 +151,10 @@ void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
   if (pressure_Pa && pressure_Pa->size() == 2) robot.pressure_Pa = {pressure_Pa->front(), pressure_Pa->back()};
   visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() <= robot.pressure_Pa->back(), "pressure_Pa",
                 "the lowest comes first");
-  visitor.check(!robot.pressure_Pa || robot.pressure_Pa->back() > 0.0, "pressure_Pa", "the highest must be > 0");
+  visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() != 0.0 || robot.pressure_Pa->back() != 0.0, "pressure_Pa",
+                "must not be 0 all the time");
+  visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() >= -atmosphere_Pa, "pressure_Pa",
+                "is below a perfect vacuum, which is " + io::number_text(-atmosphere_Pa));
   visitor.number({"frequency_Hz", "Strokes per second."}, robot.frequency_Hz, io::positive());
   visitor.word({"mode",
                 "in_phase: all chambers at the same time; antiphase: those of material 2 half a period later, which needs "
@@ -148,6 +162,10 @@ void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
                robot.drive, io::words_of(RobotDrive::in_phase, RobotDrive::antiphase, RobotDrive::hold));
   visitor.check(robot.drive != RobotDrive::antiphase || robot.chambers == ChamberLayout::per_phase, "mode",
                 "needs robot.chambers = \"per-phase\": a chamber has one pressure");
+  visitor.check(robot.drive != RobotDrive::antiphase || !robot.has_body() || has_both_materials(robot.design.body), "mode",
+                "needs cells of material 1 and of material 2: all of this body would move together");
+  visitor.check(robot.drive != RobotDrive::hold || !robot.pressure_Pa || robot.pressure_Pa->back() != 0.0, "mode",
+                "keeps the highest of pressure_Pa, which is 0");
 }
 
 void describe_search(io::StudyVisitor& visitor, RobotSearch& search) {
@@ -170,7 +188,11 @@ void describe_search(io::StudyVisitor& visitor, RobotSearch& search) {
       "robust", "needs model = \"finite_elements\" and measure = \"last_periods\"");
   visitor.integer({"generations", "Generations after the first."}, search.generations, io::non_negative());
   visitor.integer({"survivors", "Robots that survive a generation."}, search.survivors, io::within(1, 1e6));
-  visitor.integer({"mutants", "Children in each generation."}, search.mutants, io::within(0, 1e6));
+  visitor.integer(
+      {"mutants",
+       "Children in each generation, each of which walks: on finite elements that takes a core some seconds, and more "
+       "where chambers are driven apart."},
+      search.mutants, io::within(0, 1e6));
   visitor.integer({"evaluated_best", "Robots that walk again on finer elements at the end."}, search.evaluated_best,
                   io::within(1, 1e6));
   visitor.integer({"seed", "Seed of the random numbers."}, search.seed, io::non_negative());
@@ -185,7 +207,9 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
     visitor.number({"static_friction", "Coefficient of friction at rest."}, robot.static_friction, io::non_negative());
     visitor.number({"kinetic_friction", "Coefficient of friction while sliding, at most that at rest."}, robot.kinetic_friction,
                    io::non_negative());
-    visitor.check(robot.kinetic_friction <= robot.static_friction, "kinetic_friction", "must be at most static_friction");
+    visitor.check(
+        robot.kinetic_friction <= robot.static_friction, "kinetic_friction",
+        io::number_text(robot.kinetic_friction) + " must be at most static_friction, " + io::number_text(robot.static_friction));
   });
   visitor.table({"walk", "The walk that both models compute."}, [&] {
     visitor.boolean(

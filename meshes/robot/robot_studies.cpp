@@ -12,6 +12,7 @@
 #include "io/text/whole_file.h"
 #include "materials/laws/study_law.h"
 #include "meshes/design/hollow_body_file.h"
+#include "meshes/design/modular_body.h"
 #include "meshes/robot/calibration_cases.h"
 #include "meshes/robot/known_parameters.h"
 
@@ -24,6 +25,8 @@ namespace fs = std::filesystem;
 constexpr double search_periods = 6.0;
 /// Between rest and each end of the drive.
 constexpr int validated_states = 6;
+/// Over the usual pressure: bodies balloon at two to four times as much.
+constexpr double highest_of_limit = 10.0;
 /// Numbers of a duration after the point, s.
 constexpr double duration_digits_per_s = 1e4;
 
@@ -58,10 +61,12 @@ class StudyTexts {
     design(true);
     material();
     supports();
-    const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
-    std::vector<double> knots{0.0, highest_Pa};
-    if (lowest_Pa < 0.0) knots.insert(knots.begin() + 1, {lowest_Pa, 0.0});
-    text_.table("path").add("pressure_Pa", std::span<const double>(knots));
+    text_.table("path");
+    if (robot_.drive == RobotDrive::antiphase) {
+      pressures_in_antiphase();
+    } else {
+      text_.add("pressure_Pa", std::span<const double>(pressures_in_phase()));
+    }
     return text_.text();
   }
 
@@ -70,8 +75,15 @@ class StudyTexts {
     design(true);
     material();
     supports();
-    // Far beyond the volume at which any silicone passes its limit point; steps of a few tenths of the volume at rest.
-    text_.table("path").raw("volume_ratio", "[1, 40]").add("end_at_limit_point", true);
+    if (robot_.chambers == ChamberLayout::single) {
+      // Far beyond the volume at which any silicone passes its limit point; steps of a few tenths of the volume at rest.
+      text_.table("path").raw("volume_ratio", "[1, 40]").add("end_at_limit_point", true);
+    } else {
+      // Chambers of different sizes have one pressure, not one growth. The path ends where no equilibrium follows.
+      text_.table("path").comment("All chambers together.");
+      const std::array pressures_Pa{0.0, two_digits(highest_of_limit * usual_pressure_Pa(robot_))};
+      text_.add("pressure_Pa", std::span<const double>(pressures_Pa)).add("end_at_limit_point", true);
+    }
     text_.add("first_step", 0.005).add("largest_step", 0.01).add("smallest_step", 1e-4);
     return text_.text();
   }
@@ -109,7 +121,7 @@ class StudyTexts {
     text_.add("parameters", parameters());
     text_.add("load_cases", path(places_.study(RobotStudy::validate_load_cases)));
     text_.raw("curves", io::toml_value_text(std::vector{path(places_.folder(RobotStudy::validate) / "curves")}));
-    text_.add("actuation_pressure_Pa", drive_pressure_Pa(robot_)[1]);
+    if (const double highest_Pa = drive_pressure_Pa(robot_)[1]; highest_Pa > 0.0) text_.add("actuation_pressure_Pa", highest_Pa);
     return text_.text();
   }
 
@@ -175,12 +187,32 @@ class StudyTexts {
   [[nodiscard]] std::vector<double> validated_pressures_Pa() const {
     std::vector<double> pressures_Pa;
     const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
-    for (const double end_Pa : {std::min(lowest_Pa, 0.0), highest_Pa}) {
+    for (const double end_Pa : {std::min(lowest_Pa, 0.0), std::max(highest_Pa, 0.0)}) {
       for (int n = 1; n <= validated_states; ++n) pressures_Pa.push_back(std::round(end_Pa * n / validated_states));
     }
     std::ranges::sort(pressures_Pa);
     std::erase(pressures_Pa, 0.0);
     return pressures_Pa;
+  }
+
+  /// Pressure first: walls that touch in vacuum end a path.
+  [[nodiscard]] std::vector<double> pressures_in_phase() const {
+    const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
+    if (lowest_Pa >= 0.0) return {0.0, highest_Pa};
+    if (highest_Pa <= 0.0) return {0.0, lowest_Pa, highest_Pa};
+    return {0.0, highest_Pa, 0.0, lowest_Pa};
+  }
+
+  /// The drive goes to and fro between two states, in which either material has the highest pressure and the other the lowest.
+  void pressures_in_antiphase() {
+    const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
+    const ModularBody body(robot_.design.body, 1, robot_.chambers);
+    for (std::size_t n = 0; n < body.regions().size(); ++n) {
+      const bool is_first = body.regions()[n].material == 1;
+      const std::array pressures_Pa{0.0, is_first ? highest_Pa : lowest_Pa, is_first ? lowest_Pa : highest_Pa};
+      text_.line("").entry("path.plenum").add("name", "plenum " + std::to_string(n));
+      text_.add("pressure_Pa", std::span<const double>(pressures_Pa));
+    }
   }
 
   void body() {
@@ -353,6 +385,7 @@ std::string missing_because(const Robot& robot, RobotStudy study) {
   const bool is_check = study == RobotStudy::validate || study == RobotStudy::validate_load_cases;
   if (is_check && parameter_source(robot) != ParameterSource::given && is_fitted_body(robot))
     return "the parameters of the voxels were fitted to this very body, so it cannot test them";
+  if (study == RobotStudy::limit && drive_pressure_Pa(robot)[1] <= 0.0) return "drive.pressure_Pa is nowhere above 0";
   const bool is_walk = study == RobotStudy::simulate || study == RobotStudy::locomote || study == RobotStudy::locomote_finer;
   if (is_walk && !robot.walks) return "walk.present = false";
   if (study == RobotStudy::locomote_finer && robot.fidelity == RobotFidelity::fine)

@@ -44,10 +44,10 @@ std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
   // Both ends are enough: zero pressure, from which the drive may be ramped, has a value in every law.
   for (const double pressure : calibrated.pressure_Pa) {
     for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
-      if (!law.has_value(pressure)) return text(" has no equilibrium at pressure_Pa = ", pressure);
+      if (!law.has_value(pressure)) return text(" have no equilibrium at pressure_Pa = ", pressure);
     }
     if (!(1.0 + parameters.extension[c].value(pressure) > 0.0))
-      return text(" has no positive rest length at pressure_Pa = ", pressure);
+      return text(" have no positive rest length at pressure_Pa = ", pressure);
   }
   return "";
 }
@@ -59,8 +59,8 @@ std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyW
   for (const double pressure : calibrated.pressure_Pa) {
     if (covered.contains(pressure)) continue;
     faults.push_back("pressure_Pa = " + io::number_text(pressure) + " is outside the range of the fit for such a body, " +
-                     io::shown(covered.lowest_Pa) + " to " + io::shown(covered.highest_Pa) + " Pa, limited by " +
-                     (pressure < 0.0 ? covered.lowest_by + " (lowest pressure)" : covered.highest_by + " (highest pressure)"));
+                     io::shown(1e-3 * covered.lowest_Pa) + " to " + io::shown(1e-3 * covered.highest_Pa) +
+                     " kPa; its end is that of " + (pressure < 0.0 ? covered.lowest_by : covered.highest_by));
   }
   if (calibrated.chambers != parameters.chambers) {
     faults.push_back("chambers = \"" + std::string(to_string(calibrated.chambers)) + "\", the bodies of the fit had \"" +

@@ -27,7 +27,7 @@ BodyWalls body_walls(const meshes::LoadCase& load_case);
 BodyWalls all_walls(bool has_joints);
 
 /// The pressures that are covered for a body with given walls, 0 among them. The texts name what ends the range on each side:
-/// "wall class 2a", "joints".
+/// "voxels with a wall on one side (wall class 1)", "joints".
 struct CoveredPressures {
   double lowest_Pa = 0.0;
   double highest_Pa = 0.0;

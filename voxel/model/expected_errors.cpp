@@ -1,5 +1,6 @@
 #include "voxel/model/expected_errors.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <sstream>
 
@@ -120,6 +121,9 @@ KnownErrors known_errors(const SurrogateParameters& parameters, const std::optio
   const std::string place = parameters_file->filename().string();
   if (!known.errors) {
     known.missing = "no table of errors lies beside " + place + ", which menger validate --keep would write";
+  } else if (std::ranges::none_of(body_kinds, [&](BodyKind kind) { return known.errors->of(kind).has_value(); })) {
+    known.missing = "the table of errors beside " + place + " has no body: no validation on bodies of their own was kept";
+    known.errors.reset();
   } else if (known.errors->parameters_hash != hash_of(parameters)) {
     known.missing = "the table of errors beside " + place + " is that of other values";
     known.errors.reset();

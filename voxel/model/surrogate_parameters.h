@@ -34,17 +34,17 @@ inline constexpr std::size_t closed_wall_class = walls::closed;  ///< walls on a
 /// sides.
 inline constexpr std::array<std::string_view, wall_class_count> wall_class_names{"0", "1", "2a", "2b", "2o", "3", "4"};
 inline constexpr std::array<std::string_view, wall_class_count> wall_class_meanings{
-    "no wall beside it",
+    "no wall beside them",
     "a wall on one side",
-    "walls on two sides that meet, of a wide body",
+    "walls on two sides that meet, in a wide body",
     "walls on two sides that meet, at the bend of a limb",
     "walls on two opposite sides",
     "walls on three sides",
     "walls on all four sides"};
-/// Returns a class as messages name it.
+/// Returns a class as messages name it: "voxels with a wall on one side (wall class 1)".
 inline std::string wall_class_text(std::size_t wall_class) {
-  return "wall class " + std::string(wall_class_names.at(wall_class)) + " (" + std::string(wall_class_meanings.at(wall_class)) +
-         ")";
+  return "voxels with " + std::string(wall_class_meanings.at(wall_class)) + " (wall class " +
+         std::string(wall_class_names.at(wall_class)) + ")";
 }
 template <class Value>
 using ByWallClass = std::array<Value, wall_class_count>;

@@ -20,7 +20,7 @@ std::string beyond_laws(const StaticBody& body, double pressure_Pa) {
     if (!body.has_class[c]) continue;
     for (const PressureLaw& law : {body.parameters.extension[c], body.parameters.bulge[c]}) {
       if (!law.has_value(pressure_Pa)) {
-        return wall_class_text(c) + " has no equilibrium at pressure_Pa = " + io::number_text(pressure_Pa);
+        return wall_class_text(c) + " have no equilibrium at pressure_Pa = " + io::number_text(pressure_Pa);
       }
     }
   }

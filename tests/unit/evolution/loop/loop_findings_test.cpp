@@ -61,7 +61,7 @@ TEST_F(LoopFindings, TellWhatTheFilesOfAStageHold) {
   write_limit("12000.0");
   EXPECT_EQ(found("limit"), "it balloons at 12 kPa; the drive of 3 kPa is 25 % of that");
   io::write_whole(folder_ / "inflate/result.toml", "status = \"completed\"\n");
-  io::write_whole(folder_ / "inflate/curves.csv", "step,plenum_0_volume_m3\n0,1e-6\n1,1.5e-6\n");
+  io::write_whole(folder_ / "inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,1.5e-6\n");
   EXPECT_EQ(found("inflate"), "at 3 kPa it holds 50 % more air");
   io::write_whole(folder_ / "mesh/mesh_quality.csv",
                   "quantity,value\nelements,3\nsolid volume_m3,2e-6\nchamber 0 volume_m3,1e-6\nchamber 1 volume_m3,1e-6\n");
@@ -101,7 +101,7 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
 
 TEST_F(LoopFindings, VerdictSaysWhereFiniteElementsDiffer) {
   write_inflation("completed");
-  io::write_whole(folder_ / "inflate/curves.csv", "step,plenum_0_volume_m3\n0,1e-6\n1,1.5e-6\n");
+  io::write_whole(folder_ / "inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,1.5e-6\n");
   const auto write = [&](const std::string& change) {
     io::write_whole(folder_ / "validate/errors.csv",
                     "observable,pressure_Pa,finite_elements\nextent_x_m,3000,1e-4\nvolume_change,"
@@ -136,6 +136,48 @@ TEST_F(LoopFindings, VerdictNeedsAnInflationUpToThePressureOfTheDrive) {
   io::write_whole(folder_ / "limit/result.toml", "status = \"not_converged\"\n");
   io::write_whole(folder_ / "limit/curves.csv", "step,plenum_0_pressure_Pa\n0,0\n1,5000\n");
   expect_has(verdict(), "How far it is from ballooning is not known: no limit pressure was found up to 5 kPa; not_converged.");
+}
+
+TEST_F(LoopFindings, LimitIsTheLeastOfAllChambersAndOfTheInflation) {
+  io::write_whole(folder_ / "limit/result.toml",
+                  "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 1\"\npressure_Pa = 24000\n");
+  EXPECT_EQ(found("limit"), "it balloons at 24 kPa; the drive of 3 kPa is 12 % of that");
+  io::write_whole(folder_ / "inflate/result.toml",
+                  "status = \"limit_point\"\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 2500\n");
+  EXPECT_EQ(found("limit"), "it balloons at 2.5 kPa; the drive of 3 kPa is 120 % of that");
+  expect_has(verdict(), "The body balloons at 2.5 kPa, before it gets the pressure of its drive");
+}
+
+TEST_F(LoopFindings, TellInWhichChambersADriveInAntiphaseHasItsPressure) {
+  io::write_whole(folder_ / "robot.toml",
+                  "[robot]\nlayers = [[\"122\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\nchambers = "
+                  "\"per-phase\"\n[drive]\nmode = \"antiphase\"\npressure_Pa = [0, 3000]\n");
+  robot_ = meshes::read_robot(folder_ / "robot.toml");
+  write_inflation("completed");
+  const std::string head = "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n";
+  io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6,0,2e-6\n1,3000,1.5e-6,0,1.8e-6\n2,0,0.9e-6,3000,3e-6\n");
+  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material these hold 50 % more air");
+  write_inflation("wall_contact");
+  io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6,0,2e-6\n1,2600,1.5e-6,0,1.8e-6\n");
+  EXPECT_EQ(found("inflate"), "walls of a chamber touch at 2.6 kPa in the chambers of one material");
+  expect_has(verdict(),
+             "Before the drive has come to 3 kPa, walls of a chamber touch at 2.6 kPa in the chambers of one material: ");
+  write_limit("12000");
+  expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
+}
+
+TEST_F(LoopFindings, TellOfVacuum) {
+  robot_.pressure_Pa = {-6000.0, 0.0};
+  stages_.erase("limit");
+  write_inflation("completed");
+  const std::string head = "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n";
+  io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6\n1,-6000,0.8e-6\n2,0,1e-6\n");
+  EXPECT_EQ(found("inflate"), "at -6 kPa it holds 20 % less air");
+  EXPECT_EQ(verdict(), "Down to -6 kPa no walls of a chamber touch.");
+  write_inflation("wall_contact");
+  io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6\n1,-926,0.9e-6\n");
+  expect_has(verdict(),
+             "Before the drive has come to -6 kPa, walls of a chamber touch at -0.926 kPa: shapes beyond are not computed");
 }
 
 TEST_F(LoopFindings, VerdictReadsOnlyResultsOfStagesOfThisRobot) {

@@ -178,7 +178,7 @@ TEST_F(CalibratedStudy, LeavesWallsWithoutASizeToTheEvaluationOfTheirBodies) {
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
   const std::atomic<bool> never{false};
   const std::string fault =
-      "wall class 2a (walls on two sides that meet, of a wide body) has no equilibrium at pressure_Pa = 1500";
+      "voxels with walls on two sides that meet, in a wide body (wall class 2a) have no equilibrium at pressure_Pa = 1500";
   for (const std::string rule : {"refuse", "warn"}) {
     const Study study = read(head + "outside_range = \"" + rule + "\"\n" + in_phase);
     const std::vector<std::string> notes = study_notes(study);
@@ -193,9 +193,9 @@ TEST_F(CalibratedStudy, LeavesWallsWithoutASizeToTheEvaluationOfTheirBodies) {
   }
   for (std::size_t c = 0; c < voxel::wall_class_count; ++c) end_at_1400(c);
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));
-  expect_refused(
-      head + in_phase,
-      "wall class 0 (no wall beside it) has no equilibrium at pressure_Pa = 1500, and the same holds for all other classes");
+  expect_refused(head + in_phase,
+                 "voxels with no wall beside them (wall class 0) have no equilibrium at pressure_Pa = 1500, and the same holds "
+                 "for all other classes");
 }
 
 TEST_F(CalibratedStudy, RefusesLengthsThatNoBodyCouldKeep) {

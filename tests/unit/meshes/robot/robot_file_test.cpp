@@ -111,7 +111,12 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "wall_thicknes_m = 0.002\n", "did you mean wall_thickness_m?");
   expect(whole + "[drive]\nmode = \"antiphase\"\n", "mode = \"antiphase\": needs robot.chambers = \"per-phase\"");
   expect(whole + "[drive]\npressure_Pa = [3000, 1000]\n", "the lowest comes first");
-  expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "the highest must be > 0");
+  expect(whole + "[drive]\npressure_Pa = [-2, 0]\n", "is in pascals");
+  expect(whole + "[drive]\npressure_Pa = [0, 0]\n", "must not be 0 all the time");
+  expect(whole + "[drive]\npressure_Pa = [-200000, 1000]\n", "is below a perfect vacuum, which is -101325");
+  EXPECT_EQ(drive_pressure_Pa(read_text(folder, whole + "[drive]\npressure_Pa = [-3000, -1000]\n"))[1], -1000.0);
+  expect(whole + "[drive]\nmode = \"hold\"\npressure_Pa = [-3000, 0]\n", "keeps the highest of pressure_Pa, which is 0");
+  expect(whole + "chambers = \"per-phase\"\n[drive]\nmode = \"antiphase\"\n", "needs cells of material 1 and of material 2");
   expect(whole + "[drive]\npressure_Pa = [1]\n", "pressure_Pa");
   expect(whole + "[drive]\npressure_Pa = 3000\n", "pressure_Pa = 3000: must be two numbers");
   expect(whole + "[drive]\npressure_Pa = [0, 7]\n",
@@ -140,7 +145,7 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "robot.digits = \"1001\": the body is in 2 parts");
   expect_body("layers = [[\"10\", \"01\"], [\"11\", \"01\"]]\ncell_edge_m = 0.01\n",
               "cells (0, 0, 0) and (1, 1, 0) touch only along an edge");
-  expect(whole + "[ground]\nstatic_friction = 0.4\n", "kinetic_friction");
+  expect(whole + "[ground]\nstatic_friction = 0.4\n", "0.5 must be at most static_friction, 0.4");
   expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
   expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");
   expect(whole + "[drive]\nmode = \"hold\"\n[search]\n", "mode = \"hold\": cannot stand beside a search");

@@ -95,6 +95,19 @@ TEST(CalibrationCases, BodiesOfTheFitCannotTestIt) {
   EXPECT_EQ(missing_because(robot, RobotStudy::validate), "");
 }
 
+TEST(CalibrationCases, BodiesOfTheFitAreTheSameInTheOtherMaterial) {
+  const tests::TestFolder folder;
+  Robot robot = robot_of(folder, dragon_skin_1cm);
+  robot.chambers = ChamberLayout::per_phase;
+  robot.design.body = Polycube::from_digits(2, 2, 1, "2220");
+  EXPECT_TRUE(is_fitted_body(robot));
+  robot.design.body = Polycube::from_digits(2, 2, 1, "1220");
+  EXPECT_FALSE(is_fitted_body(robot)) << "two chambers";
+  robot.chambers = ChamberLayout::single;
+  EXPECT_TRUE(is_fitted_body(robot));
+  EXPECT_EQ(longest_fitted_body_cells(), 3);
+}
+
 TEST(CalibrationCases, ScaleWithCellsAndWalls) {
   const tests::TestFolder folder;
   const io::TomlTable set =
@@ -171,6 +184,37 @@ TEST(RobotStudies, CompareShapesAtThePressuresOfTheDrive) {
   EXPECT_EQ(pressures_Pa("[0, 6000]"), (Values{1000, 2000, 3000, 4000, 5000, 6000}));
   EXPECT_EQ(pressures_Pa("[3000, 6000]"), pressures_Pa("[0, 6000]"));
   EXPECT_EQ(pressures_Pa("[-300, 6000]"), (Values{-300, -250, -200, -150, -100, -50, 1000, 2000, 3000, 4000, 5000, 6000}));
+}
+
+TEST(RobotStudies, InflateToTheStatesThatTheDrivePassesThrough) {
+  const tests::TestFolder folder;
+  const auto path = [&](const std::string& more, RobotStudy study) {
+    const Robot robot = robot_of(folder, dragon_skin_1cm + more);
+    return io::parse_toml(study_text(robot, study, RobotPlaces(robot.file)), "x").table("path");
+  };
+  using Values = std::vector<double>;
+  const auto pressures_Pa = [&](const std::string& drive) {
+    return path("[drive]\npressure_Pa = " + drive + "\n", RobotStudy::inflate).numbers("pressure_Pa");
+  };
+  EXPECT_EQ(pressures_Pa("[0, 6000]"), (Values{0, 6000}));
+  EXPECT_EQ(pressures_Pa("[-2000, 6000]"), (Values{0, 6000, 0, -2000})) << "vacuum last: walls that touch end a path";
+  EXPECT_EQ(pressures_Pa("[-2000, 0]"), (Values{0, -2000, 0}));
+  Robot robot = robot_of(folder, dragon_skin_1cm + std::string("chambers = \"per-phase\"\n"));
+  robot.design.body = Polycube::from_digits(3, 1, 1, "122");
+  robot.drive = RobotDrive::antiphase;
+  robot.pressure_Pa = {-100.0, 6000.0};
+  const auto plena =
+      io::parse_toml(study_text(robot, RobotStudy::inflate, RobotPlaces(robot.file)), "x").table("path").tables("plenum");
+  ASSERT_EQ(plena.size(), 2U);
+  EXPECT_EQ(plena[0].text("name"), "plenum 0");
+  EXPECT_EQ(plena[0].numbers("pressure_Pa"), (Values{0, 6000, -100})) << "material 1";
+  EXPECT_EQ(plena[1].numbers("pressure_Pa"), (Values{0, -100, 6000})) << "material 2";
+  EXPECT_EQ(path("", RobotStudy::limit).numbers("volume_ratio"), (Values{1, 40}));
+  EXPECT_EQ(path("chambers = \"per-phase\"\n", RobotStudy::limit).numbers("pressure_Pa"), (Values{0, 60000}))
+      << "chambers of different sizes have one pressure";
+  EXPECT_EQ(
+      missing_because(robot_of(folder, dragon_skin_1cm + std::string("[drive]\npressure_Pa = [-2000, 0]\n")), RobotStudy::limit),
+      "drive.pressure_Pa is nowhere above 0");
 }
 
 TEST(RobotStudies, NameASiliconeOfTheUserFromTheirOwnFolder) {

@@ -290,7 +290,8 @@ TEST(CalibratedBody, RefusesWhatItsParametersWereNotFittedOn) {
             std::vector<std::string>{"the body is 3 modules long, the longest of the fit was 2"});
   body = example_body();
   body.parameters.extension[walls::limb].pressure_softening_per_Pa = 1e-3;  // of the middle of the bar, across it
-  EXPECT_NE(refusal(meshes::bar(3), driven_by(body)).find("wall class 2o (walls on two opposite sides) has no equilibrium"),
+  EXPECT_NE(refusal(meshes::bar(3), driven_by(body))
+                .find("voxels with walls on two opposite sides (wall class 2o) have no equilibrium"),
             std::string::npos);
   EXPECT_EQ(refusal(meshes::bar(2), driven_by(body)), "accepted") << "it has no such class";
 }

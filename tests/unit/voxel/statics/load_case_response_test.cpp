@@ -219,7 +219,7 @@ TEST(LoadCaseResponse, EndsWithAStatusWhereThereIsNoEquilibrium) {
       respond(response_parameters(), case_of_length(LoadCaseKind::inflation, 1, {1000.0, 1.2e5, 2000.0}));
   EXPECT_EQ(response.status, io::RunStatus::limit_point);
   EXPECT_EQ(response.values[0], (std::vector<double>{1000.0}));
-  EXPECT_EQ(response.reason, "wall class 4 (walls on all four sides) has no equilibrium at pressure_Pa = 120000");
+  EXPECT_EQ(response.reason, "voxels with walls on all four sides (wall class 4) have no equilibrium at pressure_Pa = 120000");
 }
 
 TEST(LoadCaseResponse, IgnoresPolesOfWallsThatTheBodyDoesNotHave) {
