@@ -339,6 +339,7 @@ class LoopRun {
     state_->set(stage.name, record);
 
     begin_line(n);
+    if (goes_on && record.has_ended()) out_ << "(went on from where it was stopped) ";
     tell(stage, record, outcome);
     is_line_begun_ = false;
     if (record.status == StageStatus::interrupted) return io::exit_code::interrupted;

@@ -10,7 +10,13 @@
 
 namespace menger::evolution {
 
-std::string shown_number(double value) { return io::shown(value, 3); }
+std::string shown_number(double value) {
+  // Three digits of such numbers would need a power of ten.
+  constexpr double least_whole = 1e3;
+  constexpr double largest_whole = 1e7;
+  const double size = std::abs(value);
+  return size >= least_whole && size < largest_whole ? io::formatted("%.0f", value) : io::shown(value, 3);
+}
 
 std::string shown_number(const std::optional<double>& value) { return value ? shown_number(*value) : "\u2013"; }
 

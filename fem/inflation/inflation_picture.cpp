@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <set>
 
 #include "fem/picture/picture_parts.h"
 #include "fem/space/rank_gather.h"
@@ -72,10 +74,45 @@ vtkSmartPointer<vtkUnstructuredGrid> half_of(vtkUnstructuredGrid& grid, double c
   return half;
 }
 
-double middle_depth(const DeformedBody& body) {
-  const auto [low, high] = std::minmax_element(body.positions.begin(), body.positions.end(),
-                                               [](const Point& a, const Point& b) { return a[1] < b[1]; });
-  return 0.5 * ((*low)[1] + (*high)[1]);
+/// Returns the depths between which each element lies.
+std::vector<std::array<double, 2>> depths_of_elements(const DeformedBody& body) {
+  const auto side = static_cast<std::size_t>(body.degree) + 1;
+  const std::size_t nodes = side * side * side;
+  std::vector<std::array<double, 2>> depths;
+  for (std::size_t first = 0; first < body.element_nodes.size(); first += nodes) {
+    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (std::size_t n = 0; n < nodes; ++n) {
+      const double depth = body.positions[static_cast<std::size_t>(body.element_nodes[first + n])][1];
+      range = {std::min(range[0], depth), std::max(range[1], depth)};
+    }
+    depths.push_back(range);
+  }
+  return depths;
+}
+
+/// Returns where to cut: in the middle, or beside it where a wall between two chambers lies there, which would hide both.
+double cutting_depth(const DeformedBody& body) {
+  constexpr double farthest = 0.3;   // from the middle, over the width
+  constexpr double much_less = 0.7;  // of the elements in the middle
+  const std::vector<std::array<double, 2>> elements = depths_of_elements(body);
+  std::set<double> planes;
+  for (const auto& [low, high] : elements) planes.insert({low, high});
+  const double width = *planes.rbegin() - *planes.begin();
+  const double middle = 0.5 * (*planes.begin() + *planes.rbegin());
+  // Behind the plane: the middle often is a plane of the mesh itself.
+  const auto cut_through = [&](double depth) {
+    const double behind = depth + 1e-6 * width;
+    return std::ranges::count_if(elements, [&](const auto& range) { return range[0] < behind && behind < range[1]; });
+  };
+  const auto in_the_middle = static_cast<double>(cut_through(middle));
+  double best = middle;
+  for (auto plane = planes.begin(); std::next(plane) != planes.end(); ++plane) {
+    const double depth = 0.5 * (*plane + *std::next(plane));
+    const double away = std::abs(depth - middle);
+    if (away > farthest * width || (best != middle && away >= std::abs(best - middle))) continue;
+    if (static_cast<double>(cut_through(depth)) < much_less * in_the_middle) best = depth;
+  }
+  return best;
 }
 
 /// Returns the stress that a fiftieth of the nodes exceed, kPa.
@@ -121,7 +158,7 @@ DeformedBody gather_deformed_body(const Space& space, std::span<const double> di
 io::PictureOutcome draw_deformed_body(const std::filesystem::path& file, const DeformedBody& body, const std::string& caption,
                                       const io::PictureStyle& style) {
   return io::write_picture(file, style, [&](vtkRenderWindow& window) {
-    const double cut = middle_depth(body);
+    const double cut = cutting_depth(body);
     const auto deformed = half_of(*linear_grid(body, true), cut);
     const auto reference = half_of(*linear_grid(body, false), cut);
     vtkNew<vtkRenderer> renderer;

@@ -64,7 +64,7 @@ const StartingPoint& start_named(const std::string& name) {
     names.emplace_back(start.name);
   }
   const std::optional<std::string> meant = io::near_miss(name, names);
-  throw io::InputError("--from " + name + ": there is no such robot" + (meant ? ", did you mean " + *meant + "?" : "") +
+  throw io::InputError("--from " + name + ": there is no such robot" + (meant ? ", did you mean " + *meant + "?" : ".") +
                        " There are: " + io::joined(names));
 }
 

@@ -93,6 +93,7 @@ const std::map<std::string, std::string>& libraries() {
                                                                {"slepc", "SLEPc"},
                                                                {"SQLiteCpp/", "SQLiteCpp"},
                                                                {"arkode/", "SUNDIALS"},
+                                                               {"cooperative_groups", "CUDA"},
                                                                {"cuda_runtime", "CUDA"},
                                                                {"ida/", "SUNDIALS"},
                                                                {"kinsol/", "SUNDIALS"},
