@@ -9,12 +9,10 @@
 
 #include "evolution/reference/reevaluation_locomotion.h"
 #include "evolution/study/walk_evaluator.h"
-#include "fem/thin_walls/thin_wall_mesh.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
 #include "meshes/design/fractal.h"
 #include "meshes/hexahedra/hollow_body_check.h"
-#include "meshes/hexahedra/hollow_polycube.h"
 #include "voxel/lanes/simulation.h"
 #include "voxel/scene/scene.h"
 
@@ -162,8 +160,6 @@ std::string obstacle_to_reference(const ReevaluationStudy& study, const meshes::
       fem::prepare(walk);
     }
     if (!study.compares_elements()) (void)simulation_of(study, body);
-    if (study.elements.elements.kind != fem::ElementKind::thin_wall) return "";
-    return fem::obstacle_to_thin_walls(meshes::hollow_polycube(design, options).mesh, options.wall_thickness_m);
   } catch (const io::InputError& fault) {  // it cannot be cast
     return fault.what();
   } catch (const std::invalid_argument& fault) {  // its chambers cannot follow the drive, or it is outside of the calibration

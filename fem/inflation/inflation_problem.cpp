@@ -28,17 +28,11 @@ meshes::HexahedralMesh make_mesh(const InflationStudy& study) {
   if (const auto* design = std::get_if<DesignSource>(&study.source)) {
     meshes::HollowBodyOptions options = design->options;
     set_elements(study.elements, options);
-    meshes::HexahedralMesh mesh;
     try {
-      mesh = meshes::hollow_polycube(design->design, options).mesh;
+      return meshes::hollow_polycube(design->design, options).mesh;
     } catch (const io::InputError& error) {
       throw io::InputError(design->file.value_or(study.file).string() + ": " + error.what());
     }
-    if (study.has_thin_walls()) {
-      const std::string obstacle = obstacle_to_thin_walls(mesh, options.wall_thickness_m);
-      if (!obstacle.empty()) throw io::InputError(study.file.string() + ": elements.kind = \"thin_wall\": " + obstacle);
-    }
-    return mesh;
   }
   const auto& source = std::get<MeshSource>(study.source);
   return source.file.extension() == ".msh" ? meshes::read_gmsh_mesh(source.file, source.length_unit_m)

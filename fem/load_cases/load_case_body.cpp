@@ -49,10 +49,6 @@ meshes::HexahedralMesh make_mesh(const LoadCase& load_case, const LoadCaseElemen
   } catch (const io::InputError& error) {
     throw io::InputError(name + error.what());
   }
-  if (elements.has_thin_walls()) {
-    const std::string obstacle = obstacle_to_thin_walls(mesh, options.wall_thickness_m);
-    if (!obstacle.empty()) throw io::InputError(name + obstacle);
-  }
   for (meshes::Chamber& chamber : mesh.chambers) chamber.plenum = 0;  // one pressure in all of them
   return mesh;
 }

@@ -60,37 +60,6 @@ std::vector<ThinWallPlace> thin_wall_places(const meshes::HexahedralMesh& mesh) 
   return places;
 }
 
-std::optional<std::size_t> layered_wall(const meshes::HexahedralMesh& mesh, double wall_thickness_m) {
-  constexpr double rounding = 1e-6;
-  const FreeFaces faces(mesh);
-  // Elements with one free face across an axis, by the face on the other side.
-  std::map<meshes::FaceCorners, std::size_t> behind;
-  for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
-    const meshes::ElementCorners& corners = mesh.elements[element];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool low = faces.plenum(corners, 2 * axis).has_value();
-      const bool high = faces.plenum(corners, 2 * axis + 1).has_value();
-      if (low == high) continue;
-      const auto [found, is_new] = behind.try_emplace(face_of(corners, 2 * axis + (low ? 1 : 0)), element);
-      if (is_new) continue;
-      const auto thickness = [&](std::size_t one) {
-        const meshes::CornerPoints points = meshes::corner_points(mesh, one);
-        return points[7][axis] - points[0][axis];
-      };
-      if (thickness(element) + thickness(found->second) <= wall_thickness_m * (1.0 + rounding)) return element;
-    }
-  }
-  return std::nullopt;
-}
-
-std::string obstacle_to_thin_walls(const meshes::HexahedralMesh& mesh, double wall_thickness_m) {
-  const std::optional<std::size_t> element = layered_wall(mesh, wall_thickness_m);
-  if (!element) return "";
-  return "the wall at " + meshes::millimetre_text(meshes::corner_points(mesh, *element)[0]) +
-         " is cut into two layers, as walls between phases and outer walls lie in one plane: thin walls need one layer; choose "
-         "elements.kind = \"three_field\"";
-}
-
 std::set<meshes::FaceCorners> chamber_faces_of_walls(const meshes::HexahedralMesh& mesh) {
   const FreeFaces faces(mesh);
   const std::vector<ThinWallPlace> places = thin_wall_places(mesh);

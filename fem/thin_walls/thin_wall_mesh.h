@@ -35,15 +35,6 @@ struct ThinWallPlace {
 /// several layers, which have elements behind a face; thin bars, which are free across two axes.
 std::vector<ThinWallPlace> thin_wall_places(const meshes::HexahedralMesh& mesh);
 
-/// Returns an element of a wall that the mesh cuts into two layers, if there is one: a wall no thicker than `wall_thickness_m` of
-/// two elements, each with one free face. Such a wall is made of blocks, which bend too little. It comes about where walls
-/// between phases and outer walls lie in one plane between cells, as their grid lines go through the whole body. Joints of
-/// modules are thicker.
-std::optional<std::size_t> layered_wall(const meshes::HexahedralMesh& mesh, double wall_thickness_m);
-
-/// Returns why thin-wall elements do not describe a body well, for users; empty if they do.
-std::string obstacle_to_thin_walls(const meshes::HexahedralMesh& mesh, double wall_thickness_m);
-
 /// Consecutive batches of elements of one kind and region.
 struct ThinWallGroup {
   ThinWallElement element = ThinWallElement::wall;

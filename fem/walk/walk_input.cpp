@@ -8,7 +8,6 @@
 
 #include "fem/contact/self_contact_surface.h"
 #include "fem/surfaces/gas_law.h"
-#include "fem/thin_walls/thin_wall_mesh.h"
 #include "fem/walk/walk_input_error.h"
 #include "io/text/number_text.h"
 #include "meshes/hexahedra/hollow_polycube.h"
@@ -34,13 +33,6 @@ void mesh_body(PreparedWalk& walk) {
   } catch (const std::length_error& error) {
     throw WalkInputError("design", error.what());
   }
-}
-
-/// Refuses bodies that thin-wall elements do not describe well.
-void require_thin_walls(const PreparedWalk& walk) {
-  if (walk.elements.kind != ElementKind::thin_wall) return;
-  const std::string obstacle = obstacle_to_thin_walls(walk.mesh, walk.hollow.wall_thickness_m);
-  if (!obstacle.empty()) throw WalkInputError("design.chambers", obstacle);
 }
 
 void lay_ground(PreparedWalk& walk) {
@@ -115,7 +107,6 @@ void check(const StudyGround& ground) {
 
 void prepare(PreparedWalk& walk, DampingModel usual) {
   mesh_body(walk);
-  require_thin_walls(walk);
   walk.material = material_of(walk.silicone, usual, walk.notes);
   lay_ground(walk);
   drive_plena(walk);

@@ -14,6 +14,19 @@ int direction(WallZone zone) { return (static_cast<int>(zone) > 0 ? 1 : 0) - (st
 
 bool is_outer(WallZone zone) { return zone == WallZone::low_outer || zone == WallZone::high_outer; }
 
+/// Whether a zone beside a plane holds the walls between chambers of this plane.
+/// @param is_below its cell lies below the plane
+bool holds_partition(PartitionPlace place, bool is_below, WallZone zone) {
+  switch (place) {
+    case PartitionPlace::lower:
+      return is_below;
+    case PartitionPlace::upper:
+      return !is_below;
+    default:
+      return is_outer(zone);
+  }
+}
+
 }  // namespace
 
 ModularBody::ModularBody(const Polycube& basal, int level, ChamberLayout layout)
@@ -24,6 +37,33 @@ ModularBody::ModularBody(const Polycube& basal, int level, ChamberLayout layout)
       static_cast<std::size_t>(cells_.nx()) * static_cast<std::size_t>(cells_.ny()) * static_cast<std::size_t>(cells_.nz()),
       no_region);
   for (std::size_t module = 0; module < modules_.size(); ++module) add_regions(module, layout);
+  const std::array<int, 3> size{cells_.nx(), cells_.ny(), cells_.nz()};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int plane = 0; plane <= size[axis]; ++plane) partition_places_[axis].push_back(chosen_partition_place(axis, plane));
+  }
+}
+
+PartitionPlace ModularBody::chosen_partition_place(std::size_t axis, int plane) const {
+  const std::array<int, 3> size{cells_.nx(), cells_.ny(), cells_.nz()};
+  const int first_size = axis == 0 ? size[1] : size[0];
+  const int second_size = axis == 2 ? size[1] : size[2];
+  bool has_partition = false;
+  std::size_t outer_below = 0;
+  std::size_t outer_above = 0;
+  for (int second = 0; second < second_size; ++second) {
+    for (int first = 0; first < first_size; ++first) {
+      const CellIndex below = cell_along(axis, plane - 1, first, second);
+      const CellIndex above = cell_along(axis, plane, first, second);
+      if (same_module(below, above)) {
+        has_partition = has_partition || region_of(below) != region_of(above);
+      } else {
+        outer_below += region_of(below).has_value() ? 1U : 0U;
+        outer_above += region_of(above).has_value() ? 1U : 0U;
+      }
+    }
+  }
+  if (!has_partition || outer_below + outer_above == 0) return PartitionPlace::centred;
+  return outer_below >= outer_above ? PartitionPlace::lower : PartitionPlace::upper;
 }
 
 void ModularBody::add_regions(std::size_t module_position, ChamberLayout layout) {
@@ -74,17 +114,19 @@ bool ModularBody::is_wall(const CellIndex& cell, const CellBlock& block) const {
   // Goes through every neighbour that the block touches: those across sides, edges and the corner.
   for (unsigned axes = 1; axes < 8; ++axes) {
     CellIndex other = cell;
-    bool within_half = true;
+    bool within_partition = true;
     bool is_neighbour = true;
     for (const auto& [axis, coordinate] : {std::pair<std::size_t, int*>{0, &other.x}, {1, &other.y}, {2, &other.z}}) {
       if ((axes >> axis & 1U) == 0) continue;
       is_neighbour = is_neighbour && reach[axis] != 0;
-      within_half = within_half && is_outer(block[axis]);
+      if (reach[axis] == 0) continue;
+      const PartitionPlace place = partition_place(axis, reach[axis] > 0 ? *coordinate + 1 : *coordinate);
+      within_partition = within_partition && holds_partition(place, reach[axis] > 0, block[axis]);
       *coordinate += reach[axis];
     }
     if (!is_neighbour) continue;
     if (!same_module(cell, other)) return true;
-    if (within_half && region_of(cell) != region_of(other)) return true;
+    if (within_partition && region_of(cell) != region_of(other)) return true;
   }
   return false;
 }
@@ -93,6 +135,12 @@ std::size_t ModularBody::offset(const CellIndex& cell) const {
   return static_cast<std::size_t>(cell.x) +
          static_cast<std::size_t>(cells_.nx()) *
              (static_cast<std::size_t>(cell.y) + static_cast<std::size_t>(cells_.ny()) * static_cast<std::size_t>(cell.z));
+}
+
+CellIndex cell_along(std::size_t axis, int position, int first, int second) {
+  if (axis == 0) return {position, first, second};
+  if (axis == 1) return {first, position, second};
+  return {first, second, position};
 }
 
 CellIndex neighbour(const CellIndex& cell, Side side) {

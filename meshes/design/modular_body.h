@@ -17,6 +17,13 @@ enum class WallZone { low_outer = -2, low_inner = -1, middle = 0, high_inner = 1
 /// A zone along each axis: one of the 125 blocks of a cell.
 using CellBlock = std::array<WallZone, 3>;
 
+/// Where the walls between chambers lie that a plane between cells has.
+enum class PartitionPlace {
+  centred,  ///< half of their thickness in the cells on either side
+  lower,    ///< wholly in the cells below the plane
+  upper     ///< wholly in the cells above the plane
+};
+
 /// The cells of a body of several modules, and the chamber of each cell.
 class ModularBody {
  public:
@@ -41,6 +48,14 @@ class ModularBody {
   /// Returns whether two cells lie in the same module. An empty cell lies in no module.
   [[nodiscard]] bool same_module(const CellIndex& a, const CellIndex& b) const;
 
+  /// Returns where the walls between chambers lie in a plane. Outer walls lie in their own cells: where a plane has some too,
+  /// those between chambers lie on their side, so that one layer of elements is as thick as either.
+  /// @param axis normal to the plane
+  /// @param plane position of the cells above it along the axis
+  [[nodiscard]] PartitionPlace partition_place(std::size_t axis, int plane) const {
+    return partition_places_[axis][static_cast<std::size_t>(plane)];
+  }
+
   /// Returns whether a block of an occupied cell is wall, not chamber.
   [[nodiscard]] bool is_wall(const CellIndex& cell, const CellBlock& block) const;
 
@@ -48,13 +63,18 @@ class ModularBody {
   [[nodiscard]] std::size_t offset(const CellIndex& cell) const;
   void add_regions(std::size_t module_position, ChamberLayout layout);
   void fill_region(const CellIndex& seed, ChamberLayout layout);
+  [[nodiscard]] PartitionPlace chosen_partition_place(std::size_t axis, int plane) const;
 
   std::array<int, 3> module_size_;
   Polycube cells_;
   std::vector<CellIndex> modules_;
   std::vector<Region> regions_;
   std::vector<std::size_t> region_of_cell_;
+  std::array<std::vector<PartitionPlace>, 3> partition_places_;
 };
+
+/// Returns the cell at a position along an axis, and at two positions along the other axes, in their order.
+CellIndex cell_along(std::size_t axis, int position, int first, int second);
 
 /// Returns the adjacent cell across a side.
 CellIndex neighbour(const CellIndex& cell, Side side);

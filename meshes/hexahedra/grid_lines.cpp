@@ -13,9 +13,9 @@ constexpr double same = 1e-9;
 
 /// The reasons for lines beside a plane between cells.
 struct PlaneNeeds {
-  bool outer_low = false;   ///< a cell below it ends there
-  bool outer_high = false;  ///< a cell above it begins there
-  bool interface = false;   ///< a wall between two regions lies in the middle of it
+  bool outer_low = false;   ///< a wall of the cells below it ends there
+  bool outer_high = false;  ///< a wall of the cells above it begins there
+  bool interface = false;   ///< a wall between two regions lies in the middle of it, with half of its thickness on either side
 
   [[nodiscard]] bool any() const { return outer_low || outer_high || interface; }
 };
@@ -26,12 +26,6 @@ struct Span {
   double end;
   bool in_wall;  ///< cut into equal edges, a fraction of the wall thickness
 };
-
-CellIndex cell_along(std::size_t axis, int position, int first, int second) {
-  if (axis == 0) return {position, first, second};
-  if (axis == 1) return {first, position, second};
-  return {first, second, position};
-}
 
 std::array<int, 3> size_of(const Polycube& cells) { return {cells.nx(), cells.ny(), cells.nz()}; }
 
@@ -45,7 +39,11 @@ PlaneNeeds plane_needs(const ModularBody& body, std::size_t axis, int plane) {
       const CellIndex low = cell_along(axis, plane - 1, first, second);
       const CellIndex high = cell_along(axis, plane, first, second);
       if (body.same_module(low, high)) {
-        needs.interface = needs.interface || body.region_of(low) != body.region_of(high);
+        if (body.region_of(low) == body.region_of(high)) continue;
+        const PartitionPlace place = body.partition_place(axis, plane);
+        needs.interface = needs.interface || place == PartitionPlace::centred;
+        needs.outer_low = needs.outer_low || place == PartitionPlace::lower;
+        needs.outer_high = needs.outer_high || place == PartitionPlace::upper;
       } else {
         needs.outer_low = needs.outer_low || body.region_of(low).has_value();
         needs.outer_high = needs.outer_high || body.region_of(high).has_value();

@@ -87,18 +87,6 @@ TEST(InflationProblem, CutsTheWallsAsTheFidelityOfThinWallsSays) {
   }
 }
 
-TEST(InflationProblem, RefusesThinWallsOfTwoLayersAndNamesOtherElements) {
-  InflationStudy study = cube_study();
-  auto& source = std::get<DesignSource>(study.source);
-  source.design.body = meshes::Polycube::from_digits(2, 2, 1, "1210");
-  source.options.chambers = meshes::ChamberLayout::per_phase;
-  EXPECT_NO_THROW(make_problem(study));
-  study.elements.kind = ElementKind::thin_wall;
-  const std::string message = refusal(study);
-  for (const char* part : {"study.toml", "elements.kind = \"thin_wall\"", "two layers", "elements.kind = \"three_field\""})
-    EXPECT_NE(message.find(part), std::string::npos) << message;
-}
-
 /// A study of a cube of 1 cm as a mesh file, its side "x min" under another label and at another x.
 /// @param file where the mesh is written
 InflationStudy block_study(const std::filesystem::path& file, const std::string& label, double shift_m = 0.0) {

@@ -91,10 +91,6 @@ TEST(LocomotionStudy, RefusesElementsThatDoNotFit) {
   expect_refused(layers + rest, {"design.elements_through_wall = 2", "belongs to elements.kind = \"three_field\""});
   EXPECT_NO_THROW((void)sample_study(layers + rest + "[elements]\nkind = \"three_field\"\n"));
   expect_refused(hook_study + "[elements]\nkind = \"three_field\"\nfidelity = \"fine\"\n", {"elements.fidelity", "thin_wall"});
-  const std::string mixed =
-      "[design]\ncells = [2, 2, 1]\ndigits = \"1210\"\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\nchambers = \"per-phase\"\n";
-  expect_refused(mixed + rest, {"design.chambers = \"per-phase\"", "two layers", "\"three_field\""});
-  EXPECT_NO_THROW((void)sample_study(mixed + rest + "[elements]\nkind = \"three_field\"\n"));
 }
 
 TEST(LocomotionStudy, MeasuresLengthByTheLongestSideOfTheGrid) {

@@ -112,17 +112,27 @@ TEST(ThinWallMesh, BatchesHoldEveryElementOnce) {
   }
 }
 
-// Four cells in a square, of which one is missing and one is of another phase: the plane x = 10 mm holds a wall between phases
-// below, and outer walls above.
-TEST(ThinWallMesh, LayeredWallsAreFound) {
+// Two phases whose walls lie in planes with outer walls: of a square of four cells of which one is missing, below outer walls;
+// of legs under a plate, beside them and between them.
+TEST(ThinWallMesh, WallsBetweenPhasesAreOneLayerBesideOuterWalls) {
   meshes::HollowBodyOptions options;
   options.chambers = meshes::ChamberLayout::per_phase;
-  EXPECT_TRUE(layered_wall(hollow("1210", {2, 2, 1}, options), 2e-3));
-  EXPECT_FALSE(layered_wall(hollow("12", {2, 1, 1}, options), 2e-3));
-  EXPECT_FALSE(layered_wall(hollow("1110", {2, 2, 1}), 2e-3));
-  options.chambers = meshes::ChamberLayout::single;
-  options.level = 2;
-  EXPECT_FALSE(layered_wall(hollow("11", {2, 1, 1}, options), 2e-3)) << "a joint of two walls";
+  for (const auto& [digits, size] :
+       std::vector<std::pair<std::string, std::array<int, 3>>>{{"1210", {2, 2, 1}},
+                                                               {"0121", {2, 2, 1}},
+                                                               {"12", {2, 1, 1}},
+                                                               {"100200001002112211222211", {4, 3, 2}},
+                                                               {"10021002100211121112"
+                                                                "1112",
+                                                                {4, 3, 2}}}) {
+    const meshes::HexahedralMesh mesh = hollow(digits, size, options);
+    double shortest = 1.0;
+    for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+      const meshes::CornerPoints points = meshes::corner_points(mesh, element);
+      for (std::size_t axis = 0; axis < 3; ++axis) shortest = std::min(shortest, points[7][axis] - points[0][axis]);
+    }
+    EXPECT_GT(shortest, 1.5e-3) << digits << ": no element has half of a wall, which is 1 mm";
+  }
 }
 
 TEST(ThinWallMesh, RefusesWhatIsNoBox) {

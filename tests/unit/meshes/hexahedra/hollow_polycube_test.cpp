@@ -194,6 +194,22 @@ TEST(HollowPolycube, PerPhaseMakesAChamberOfEveryConnectedRegion) {
   expect_whole_volumes(body);
 }
 
+TEST(HollowPolycube, WallsBetweenChambersLieOnTheSideOfOuterWallsInTheirPlane) {
+  HollowBodyOptions options;
+  options.chambers = ChamberLayout::per_phase;
+  // In the plane between both columns the upper row has an outer wall, in the cell of material 1 below the plane.
+  const HollowBody below = hollow_polycube({"corner", Polycube::from_digits(2, 2, 1, "1210"), 0.01}, options);
+  ASSERT_EQ(below.chambers.size(), 2U);
+  // Material 1: both of its cells are 6 x 6 x 6 mm inside and 4 x 6 x 6 mm between them. Material 2: 8 x 6 x 6 mm.
+  EXPECT_NEAR(below.chambers[0].volume_m3, (2 * 216 + 144) * 1e-9, 1e-20);
+  EXPECT_NEAR(below.chambers[1].volume_m3, 288e-9, 1e-20);
+  expect_whole_volumes(below);
+  const HollowBody above = hollow_polycube({"corner", Polycube::from_digits(2, 2, 1, "1202"), 0.01}, options);
+  EXPECT_NEAR(above.chambers[0].volume_m3, 288e-9, 1e-20);
+  EXPECT_NEAR(above.chambers[1].volume_m3, (2 * 216 + 144) * 1e-9, 1e-20);
+  expect_whole_volumes(above);
+}
+
 TEST(HollowPolycube, LabelsTheGroundAndTheOuterFaces) {
   const HollowBody body = hollow_polycube(upright18(), {});
   // Four feet of 1 cm^2 stand on the ground.
