@@ -344,8 +344,8 @@ std::string both(const Walk& one, const Walk& other) {
            " of its length from where it began";
   const std::string distances = millimetres(one.distance_m()) + " and " + millimetres(other.distance_m());
   if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere) return distances + ", of which the shorter is no walk";
-  return distances + ", " + io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg())) +
-         " degrees apart";
+  const std::string angle = io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg()));
+  return distances + ", " + angle + (angle == "1" ? " degree apart" : " degrees apart");
 }
 
 std::string shape_verdict(const ShapeErrors& errors) {

@@ -29,6 +29,17 @@ layers = [["101", "000", "101"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
+    StartingPoint{"trotter",
+                  "four legs of two phases, of which those across from each other move together: it walks alike in both models",
+                  R"(
+[robot]
+layers = [["1002", "0000", "2001"], ["1122", "1122", "2211"]]
+cell_edge_m = 0.01
+silicone = "dragon_skin_10"
+chambers = "per-phase"
+[drive]
+mode = "antiphase"
+)"},
     StartingPoint{"finger", "a finger: a bar of nine cells with bellows on top, which bends by 3 mm at 12 kPa; it does not walk",
                   R"(
 [robot]
