@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include "evolution/reference/reevaluation_surrogate.h"
 #include "evolution/study/walk_evaluator.h"
 #include "io/text/toml_text.h"
 #include "materials/laws/study_law.h"
+#include "meshes/design/kept_geometry.h"
 
 namespace menger::evolution {
 namespace {
@@ -58,6 +60,9 @@ std::string protocol_text(const ReevaluationStudy& study, const LocomotionOption
   if (study.measure_from_s > 0.0) text.comment("measured").add("measure_from_s", study.measure_from_s);
   if (const auto last = measured_periods(study.search)) text.comment("measured").add("measure_periods", last->count);
   text.comment("a body that has gone through itself has not completed");
+  // Thin walls were refused where partitions have another place than before.
+  const std::string_view geometry = meshes::kept_geometry(module_of(study.search).chambers);
+  if (options.elements.kind == fem::ElementKind::three_field && !geometry.empty()) text.comment(geometry);
   return text.text();
 }
 

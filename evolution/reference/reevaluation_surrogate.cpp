@@ -13,6 +13,7 @@
 #include "io/text/joined_text.h"
 #include "meshes/design/fractal.h"
 #include "meshes/hexahedra/hollow_body_check.h"
+#include "meshes/hexahedra/hollow_polycube.h"
 #include "voxel/lanes/simulation.h"
 #include "voxel/scene/scene.h"
 

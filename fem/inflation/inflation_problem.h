@@ -46,10 +46,9 @@ struct InflationProblem {
 /// A resting body starts where the ground's pressure on faces labelled "ground" carries its weight.
 ///
 /// The last note may state how far coarse walls are off (see note_on_coarse_walls).
-/// @throws io::InputError naming file and value: for everything that the meshing rejects, thin walls that the mesh cuts into two
-/// layers, an unknown label, region or plenum, plena without a drive, a body without ground, labels that begin with "symmetry"
-/// and are none of the three or lie elsewhere, a free body with planes of symmetry, and plates without a face or with a corner in
-/// common
+/// @throws io::InputError naming file and value: for everything that the meshing rejects, an unknown label, region or plenum,
+/// plena without a drive, a body without ground, labels that begin with "symmetry" and are none of the three or lie elsewhere, a
+/// free body with planes of symmetry, and plates without a face or with a corner in common
 InflationProblem make_problem(const InflationStudy& study);
 
 /// Refuses a body that would not fit into the memory of this machine as finite elements (see estimated_memory_bytes). The message

@@ -18,6 +18,7 @@
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
 #include "materials/laws/law_file.h"
+#include "meshes/design/kept_geometry.h"
 #include "meshes/load_cases/load_case_file.h"
 
 namespace menger::fem {
@@ -191,8 +192,9 @@ class SetRun {
   }
 
   [[nodiscard]] std::string key_of(const CaseRequest& request) const {
+    const auto chambers = request.load_case.per_phase ? meshes::ChamberLayout::per_phase : meshes::ChamberLayout::single;
     return io::content_hash(case_text(request, study_.material) + std::string(measures_of(request.load_case.kind)) +
-                            std::string(io::version()));
+                            std::string(meshes::kept_geometry(chambers)) + std::string(io::version()));
   }
 
   [[nodiscard]] LoadCaseFields fields_of(const CaseRequest& request) const {

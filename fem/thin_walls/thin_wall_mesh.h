@@ -4,10 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <span>
-#include <string>
 #include <tuple>
 #include <vector>
 

@@ -50,8 +50,8 @@ struct PreparedWalk : WalkInput {
 /// Computes what follows from the input of a walk, and fills in there what it does not state. A supply that needs the plena of
 /// the mesh can be added afterwards.
 /// @param usual damping model if the silicone names none
-/// @throws WalkInputError for a body that cannot be hollowed out or meshed, one that thin walls do not describe well, a ground
-/// above its lowest point, and a plenum whose cells differ in phase
+/// @throws WalkInputError for a body that cannot be hollowed out or meshed, a ground above its lowest point, and a plenum whose
+/// cells differ in phase
 void prepare(PreparedWalk& walk, DampingModel usual = DampingModel::maxwell);
 
 /// Checks the numbers of an input that no file reader has checked.

@@ -33,8 +33,7 @@ struct TubeHole {
 /// the design. Each module is hollow and has walls of its own. Modules that touch face to face are bonded there, so the joint is
 /// two walls thick.
 struct HollowBodyOptions {
-  /// Thickness of every outer wall, and of the wall between two chambers, which lies in the middle unless outer walls lie in the
-  /// same plane (ModularBody::partition_place); < half a cell edge.
+  /// Thickness of every outer wall, and of the partition between two chambers; < half a cell edge.
   double wall_thickness_m = 0.002;
   int elements_through_wall = 1;  ///< at least this many elements, of equal size, through every wall
   /// Largest edge of elements away from walls; none: no larger than in the wall.

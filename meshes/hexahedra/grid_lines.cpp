@@ -11,15 +11,6 @@ namespace {
 /// The relative difference below which two lengths count as equal: far above rounding, far below any edge.
 constexpr double same = 1e-9;
 
-/// The reasons for lines beside a plane between cells.
-struct PlaneNeeds {
-  bool outer_low = false;   ///< a wall of the cells below it ends there
-  bool outer_high = false;  ///< a wall of the cells above it begins there
-  bool interface = false;   ///< a wall between two regions lies in the middle of it, with half of its thickness on either side
-
-  [[nodiscard]] bool any() const { return outer_low || outer_high || interface; }
-};
-
 /// A part of an axis that is cut into edges.
 struct Span {
   double begin;
@@ -29,45 +20,14 @@ struct Span {
 
 std::array<int, 3> size_of(const Polycube& cells) { return {cells.nx(), cells.ny(), cells.nz()}; }
 
-PlaneNeeds plane_needs(const ModularBody& body, std::size_t axis, int plane) {
-  const std::array<int, 3> size = size_of(body.cells());
-  const int first_size = axis == 0 ? size[1] : size[0];
-  const int second_size = axis == 2 ? size[1] : size[2];
-  PlaneNeeds needs;
-  for (int second = 0; second < second_size; ++second) {
-    for (int first = 0; first < first_size; ++first) {
-      const CellIndex low = cell_along(axis, plane - 1, first, second);
-      const CellIndex high = cell_along(axis, plane, first, second);
-      if (body.same_module(low, high)) {
-        if (body.region_of(low) == body.region_of(high)) continue;
-        const PartitionPlace place = body.partition_place(axis, plane);
-        needs.interface = needs.interface || place == PartitionPlace::centred;
-        needs.outer_low = needs.outer_low || place == PartitionPlace::lower;
-        needs.outer_high = needs.outer_high || place == PartitionPlace::upper;
-      } else {
-        needs.outer_low = needs.outer_low || body.region_of(low).has_value();
-        needs.outer_high = needs.outer_high || body.region_of(high).has_value();
-      }
-    }
-  }
-  return needs;
-}
-
-/// Returns the distances from a plane at which lines are needed on one side of it, the nearest first.
-std::vector<double> distances(bool outer, bool interface, double wall) {
-  std::vector<double> result;
-  if (interface) result.push_back(0.5 * wall);
-  if (outer) result.push_back(wall);
-  return result;
-}
-
-/// Returns the lines that a plane at `position` needs, in increasing order.
-GridLines lines_beside(const PlaneNeeds& needs, double position, double wall) {
+/// Returns the lines that a plane at `position` needs, in increasing order. Partitions need lines of their own only where they
+/// are centred; otherwise they lie between those of outer walls.
+GridLines lines_beside(const PlaneWalls& walls, double position, double wall) {
+  if (!walls.has_outer()) return {position - 0.5 * wall, position + 0.5 * wall};
   GridLines lines;
-  for (const double distance : distances(needs.outer_low, needs.interface, wall)) lines.push_back(position - distance);
-  std::reverse(lines.begin(), lines.end());
-  if (needs.outer_low || needs.outer_high) lines.push_back(position);
-  for (const double distance : distances(needs.outer_high, needs.interface, wall)) lines.push_back(position + distance);
+  if (walls.outer_low > 0) lines.push_back(position - wall);
+  lines.push_back(position);
+  if (walls.outer_high > 0) lines.push_back(position + wall);
   return lines;
 }
 
@@ -93,9 +53,9 @@ std::vector<Span> spans(const ModularBody& body, std::size_t axis, double cell_e
   double reached = 0.0;
   bool begun = false;
   for (int plane = 0; plane <= size_of(body.cells())[axis]; ++plane) {
-    const PlaneNeeds needs = plane_needs(body, axis, plane);
-    if (!needs.any()) continue;
-    const GridLines lines = lines_beside(needs, plane * cell_edge, options.wall_thickness_m);
+    const PlaneWalls walls = body.walls_in_plane(axis, plane);
+    if (!walls.any()) continue;
+    const GridLines lines = lines_beside(walls, plane * cell_edge, options.wall_thickness_m);
     if (begun) {
       // Holes lie between the walls of their cells, so their lines lie in the spans between walls.
       for (auto line = holes_here.lower_bound(reached + tolerance); line != holes_here.end() && *line < lines.front() - tolerance;

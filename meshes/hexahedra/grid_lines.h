@@ -24,9 +24,10 @@ std::vector<double> graded_edges(double span, double first, double growth, doubl
 
 /// Returns the grid lines along the three axes. Every wall, chamber and hole of the body is then a union of grid cells.
 ///
-/// A plane between cells gets lines only on those sides where there is a wall: at distance t (outer walls), t / 2 (walls between
-/// regions) and 0. Walls are divided into elements of equal size, in proportion to their thickness: as many as the options
-/// require through a wall. The spans between walls are graded. Holes add lines at their sides.
+/// A plane between cells gets lines only on those sides where there is a wall: at distance t (outer walls) and 0. Partitions lie
+/// between these lines; where there are no outer walls, they get lines at distance t / 2 on both sides. Walls are divided into
+/// elements of equal size, in proportion to their thickness: as many as the options require through a wall. The spans between
+/// walls are graded. Holes add lines at their sides.
 std::array<GridLines, 3> grid_lines(const ModularBody& body, double cell_edge_m, const HollowBodyOptions& options,
                                     const std::vector<JointHole>& holes);
 

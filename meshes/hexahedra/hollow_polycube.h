@@ -30,8 +30,9 @@ struct HollowBody {
 /// Makes the hollow body of a design: its cells minus the chambers, meshed with hexahedra that conform.
 ///
 /// A chamber consists of the points of its region (see ChamberLayout) that are, in the max norm, at least the wall thickness t
-/// from the end of the module and at least t / 2 from other regions of the module. The mesh is a tensor product of grid lines, so
-/// its volume is exactly that of the body.
+/// from the end of the module and at least t / 2 from other regions of the module. Regions end in planes between cells; where
+/// outer walls lie in such a plane, other regions end t / 2 beside it (see PartitionPlace). The mesh is a tensor product of grid
+/// lines, so its volume is exactly that of the body.
 ///
 /// Boundary labels: "ground" for faces in the lowest plane of the body that face down, "outer" for the other faces outside, the
 /// name of the chamber inside, "tube" for the sides of a tube hole ("tube 0", "tube 1", ... if there are several). Cell (i, j, k)

@@ -87,6 +87,17 @@ TEST(InflationProblem, CutsTheWallsAsTheFidelityOfThinWallsSays) {
   }
 }
 
+// Three cells of a square, one of them of the other phase: a partition and an outer wall lie in one plane between cells.
+TEST(InflationProblem, TakesPhasesBesideOuterWallsOnThinWallsToo) {
+  InflationStudy study = cube_study();
+  auto& source = std::get<DesignSource>(study.source);
+  source.design.body = meshes::Polycube::from_digits(2, 2, 1, "1210");
+  source.options.chambers = meshes::ChamberLayout::per_phase;
+  const double solid_m3 = make_problem(study).solid_volume_m3;
+  study.elements.kind = ElementKind::thin_wall;
+  EXPECT_NEAR(make_problem(study).solid_volume_m3, solid_m3, 1e-12 * solid_m3) << "both kinds have the same body";
+}
+
 /// A study of a cube of 1 cm as a mesh file, its side "x min" under another label and at another x.
 /// @param file where the mesh is written
 InflationStudy block_study(const std::filesystem::path& file, const std::string& label, double shift_m = 0.0) {

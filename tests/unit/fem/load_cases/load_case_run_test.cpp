@@ -284,7 +284,7 @@ TEST(LoadCaseRun, ThinWallsBetweenChambersOfPhasesAreNotBulged) {
   EXPECT_NEAR(two.rows[0][3], two.rows[0][4], 1e-6 * two.rows[0][3]) << "extents in y and z";
 }
 
-TEST(LoadCaseRun, ThinWallsTakeBodiesOfTwoPhases) {
+TEST(LoadCaseRun, TakesPhasesBesideOuterWallsOnThinWalls) {
   CaseRequest request = on_thin_walls(row_of_cells(LoadCaseKind::inflation, 2, {1000.0}));
   request.load_case.cells = {2, 2, 1};
   request.load_case.digits = "1210";

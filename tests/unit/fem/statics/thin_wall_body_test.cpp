@@ -38,6 +38,44 @@ struct Row {
   Body body;
 };
 
+/// Growth of the chambers of two skids under a plate, of which the right one has another phase: its partition lies beside the
+/// outer walls of the skid.
+/// @param thin_walls standard; otherwise Q2/P1 in one layer
+std::vector<double> growth_of_skids(bool thin_walls) {
+  meshes::HollowBodyOptions options;
+  options.chambers = meshes::ChamberLayout::per_phase;
+  options.largest_element_m = 5e-3;
+  options.growth = 4.0;
+  if (thin_walls) set_elements({.kind = ElementKind::thin_wall, .fidelity = Fidelity::standard}, options);
+  const meshes::Polycube cells = meshes::Polycube::from_digits(4, 3, 2, "100210021002111211121112");
+  const meshes::HexahedralMesh mesh = meshes::hollow_polycube({"skids", cells, 0.01}, options).mesh;
+  Body body;
+  if (thin_walls) body.thin_walls = ThinWallBody{.places = thin_wall_places(mesh)};
+  body.regions = {{materials::NeoHookean{body_shear_modulus_Pa}, materials::SimoTaylorVolume{body_bulk_modulus_Pa}, 1000.0}};
+  for (const meshes::Chamber& chamber : mesh.chambers) body.chambers.push_back({chamber.labels, chamber.plenum});
+  body.plenum_count = mesh.plenum_names.size();
+  body.supports = {{meshes::label_index(mesh, "ground"), {false, false, true}}};
+  body.point_supports = {{{0.0, 0.0, 0.0}, {true, true, false}}, {{0.04, 0.0, 0.0}, {false, true, false}}};
+  const Space space = make_space(mesh, thin_walls ? 1 : 2, 0, MPI_COMM_SELF);
+  Equilibrium equilibrium(space, body, {});
+  BodyState state = equilibrium.rest();
+  const BodyTotals rest = equilibrium.totals(state);
+  const std::vector<PlenumControl> controls{PressureControl{1000.0}, PressureControl{1000.0}};
+  const EquilibriumReport report = equilibrium.solve(state, controls, 1.0);
+  EXPECT_EQ(report.status, io::RunStatus::completed) << report.reason;
+  std::vector<double> growth;
+  for (std::size_t n = 0; n < rest.chamber_volumes_m3.size(); ++n)
+    growth.push_back(report.totals.chamber_volumes_m3[n] / rest.chamber_volumes_m3[n] - 1.0);
+  return growth;
+}
+
+TEST(ThinWallBody, PhasesBesideOuterWallsGrowAsOnQuadraticElements) {
+  const std::vector<double> thin = growth_of_skids(true);
+  const std::vector<double> quadratic = growth_of_skids(false);
+  ASSERT_EQ(thin.size(), 2U);
+  for (std::size_t n = 0; n < 2; ++n) EXPECT_NEAR(thin[n], quadratic[n], 0.08 * quadratic[n]) << "chamber " << n;
+}
+
 /// Residuals of Newton steps at a pressure, each with its own stiffness.
 TEST(ThinWallBody, NewtonConvergesQuadratically) {
   const Row row(Fidelity::draft, true);

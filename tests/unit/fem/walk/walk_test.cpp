@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <thread>
@@ -82,6 +83,23 @@ TEST(Walk, CellsOfTwoPhasesAreDrivenApart) {
     EXPECT_NEAR(record.plenum_pressures_Pa[0] + record.plenum_pressures_Pa[1], 4e3, 1e-6) << record.time_s;
   }
   EXPECT_GT(result.records[1].plenum_pressures_Pa[0], 3e3);
+}
+
+// A plate on four feet, whose partition across y lies in the row of the hind feet.
+TEST(Walk, PhasesBesideOuterWallsWalkOnThinWalls) {
+  WalkInput input = input_of("1", 1, 1);
+  input.design.body = meshes::Polycube::from_digits(4, 3, 2, "100200002001112211222211");
+  input.hollow.chambers = meshes::ChamberLayout::per_phase;
+  input.drive->mode = DriveMode::antiphase;
+  input.duration_s = 0.2;
+  const WalkResult result = walk(input);
+  ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
+  const WalkRecord& last = result.records.back();
+  ASSERT_EQ(last.plenum_pressures_Pa.size(), 4U);
+  EXPECT_NEAR(last.plenum_pressures_Pa[0] + last.plenum_pressures_Pa[1], 4e3, 1e-6);
+  EXPECT_NEAR(last.plenum_pressures_Pa[0], last.plenum_pressures_Pa[3], 1e-6) << "of one phase";
+  EXPECT_LT(std::abs(last.energies.imbalance_J()), 0.01 * last.energies.turnover_J());
+  ASSERT_TRUE(travel_of(result));
 }
 
 TEST(Walk, IsTheSameBesideAnotherAndForAnyThreads) {
