@@ -22,6 +22,7 @@
 #include "evolution/report/confirmation.h"
 #include "evolution/report/cost_table.h"
 #include "evolution/report/generation_summary.h"
+#include "evolution/report/refusal_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
 #include "evolution/search/search.h"
@@ -139,6 +140,13 @@ class Expenses {
   double spent_ = 0.0;  ///< element-steps
 };
 
+/// Returns the note of a progress bar. A bar at a terminal has the job as its title; whoever else is told how far this program
+/// is sees the note alone.
+std::string counted(const std::string& job, std::size_t done, std::size_t total, const char* what) {
+  if (io::terminal_progress().out != nullptr) return std::to_string(done) + "/" + std::to_string(total) + what;
+  return job + ", " + std::to_string(done) + " of " + std::to_string(total) + what;
+}
+
 /// Prints progress and results while the search runs.
 class Log {
  public:
@@ -170,8 +178,11 @@ class Log {
       total_ = progress.requested;
       bar_ = std::make_unique<io::Progress>("generation " + std::to_string(progress.generation), static_cast<double>(total_));
     }
-    bar_->update(static_cast<double>(progress.finished), std::to_string(progress.finished) + "/" + std::to_string(total_) +
-                                                             (is_steady_state(run_.plan) ? " robots" : " evaluations"));
+    const char* const what = is_steady_state(run_.plan) ? " robots" : " evaluations";
+    bar_->update(static_cast<double>(progress.finished),
+                 counted("generation " + std::to_string(progress.generation) + " of " +
+                             (expenses_.text().empty() ? "" : "at most ") + std::to_string(goal_),
+                         progress.finished, total_, what));
   }
 
   void screened(const ScreeningRound& round) {
@@ -223,14 +234,19 @@ bool print_champion(const RunView& run, const Study& study, int last, const std:
         << "No design has a fitness: every evaluation failed. The archive has the reason of each; menger export writes tables.\n";
     return false;
   }
-  if (!champion->note.empty()) std::cout << "note: " << champion->note << "\n";
+  std::cout << champion_text(*champion) << "\n";
   const DesignSummary& design = champion->design;
-  std::cout << "Champion: individual " << design.individual.id << ", " << design.cells << " cells, "
-            << phenotype_key(design.individual.phenotype) << "\n";
   if (!design.outside_validity.empty())
     std::cout << "The champion is outside the range of validity of its model: " << design.outside_validity << "\n";
   if (errors && !uses_elements(study)) print_expected_error(study, *errors, design.individual.phenotype.body);
   return true;
+}
+
+/// Prints how many bodies finite elements refused, if any.
+void print_refusals(const RunView& run) {
+  if (!run.has_elements) return;
+  const std::string text = refusal_text(refusals_of(run));
+  if (!text.empty()) std::cout << "note: " << text << " (menger export writes all: refused.csv)\n";
 }
 
 /// Prints how many results are extrapolations, if there are any.
@@ -352,7 +368,7 @@ io::RunStatus confirm_best(const Arguments& arguments, const Search& search, Run
   options.progress = [&](std::size_t done, std::size_t total) {
     has_walked = true;
     if (!bar) bar = std::make_unique<io::Progress>("confirmation", static_cast<double>(total));
-    bar->update(static_cast<double>(done), std::to_string(done) + "/" + std::to_string(total) + " walks");
+    bar->update(static_cast<double>(done), counted("confirmation", done, total, " walks"));
   };
   const io::RunStatus status = confirm(study, archive, options);
   bar.reset();
@@ -485,6 +501,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
               << " are kept. Run the same command again to resume." << std::endl;
     return io::exit_code::interrupted;
   }
+  print_refusals(run);
   const bool has_champion = print_champion(run, study, *archive.last_generation(), errors);
   print_validity(run, *archive.last_generation());
   std::cout << "Next: menger export " << arguments.archive.string() << "\n";

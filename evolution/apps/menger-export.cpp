@@ -100,9 +100,7 @@ int export_archive(Arguments& arguments) {
               << (arguments.folder / "generations.csv").string() << " and the tables beside it.\n";
     return io::exit_code::numerical;
   }
-  std::cout << "Champion: individual " << result.champion->individual.id << ", " << result.champion->cells << " cells, "
-            << phenotype_key(result.champion->individual.phenotype) << "\n"
-            << export_text(study, result) << "Written to " << arguments.folder.string() << "\n";
+  std::cout << result.champion_line << "\n" << export_text(study, result) << "Written to " << arguments.folder.string() << "\n";
   return io::exit_code_of(result.status);
 }
 

@@ -151,7 +151,7 @@ class Reevaluator {
     shown_ = static_cast<std::size_t>(confirmed - findings().designs.begin());
     if (shown_ > 0)
       result_.notes.push_back("winner/ has rank " + std::to_string(confirmed->design.rank) +
-                              ", the best robot on the finest elements that the search was confirmed on");
+                              ": the champion of the search by its walks on finer elements");
   }
 
   void note_less(const char* what, std::size_t count, std::size_t wanted) {
@@ -282,7 +282,8 @@ Reevaluator reevaluator_of(const ReevaluationStudy& study, RunArchive archive, c
     file = read.file();
     designs = read.fit_designs();
     const Study search = archived_study(read);  // the search of the re-evaluation may have another friction
-    if (const auto best = best_confirmed(search, confirmations(search, read))) confirmed = best->design.individual;
+    const std::vector<Confirmation> walks = confirmations(search, read);
+    if (const auto best = best_confirmed(walks); !best.empty()) confirmed = best.front().design.individual;
   }  // the archive is closed from here on: an open reader would keep later changes in the log beside the file
   return {study, std::move(file), std::move(designs), confirmed, folder, options};
 }

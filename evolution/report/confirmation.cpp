@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -33,6 +34,72 @@ std::optional<double> largest_angle_deg(const KnownResults& search, const KnownR
     largest = std::max(largest.value_or(0.0), 180.0 / std::numbers::pi * angle);
   }
   return largest;
+}
+
+/// Returns how far a walk goes in the direction of another one, in the unit of the objective; negative if it goes back. A body
+/// that stood still has no direction: nothing goes along it.
+double along(const SearchPlan& plan, const std::array<double, 3>& direction_m, const std::array<double, 3>& moved_m) {
+  const double length_m = std::hypot(direction_m[0], direction_m[1]);
+  if (length_m == 0.0) return 0.0;
+  const double along_m = (direction_m[0] * moved_m[0] + direction_m[1] * moved_m[1]) / length_m;
+  return std::copysign(level_score(plan, {along_m, 0.0, 0.0}, level_on_elements), along_m);
+}
+
+/// Returns the displacement that counts of all scenarios (Confirmation::along). A scenario without a displacement in the search
+/// has no direction: there all of the displacement counts.
+std::optional<double> along_of_scenarios(const SearchPlan& plan, const KnownResults& search, const KnownResults& finer) {
+  constexpr double failed = -std::numeric_limits<double>::infinity();
+  std::vector<double> all;
+  for (const auto& [stage, result] : finer) {
+    const auto before = search.find(stage);
+    if (!result.displacement_m) {
+      all.push_back(result.status == io::RunStatus::fell ? 0.0 : failed);
+    } else if (before == search.end() || !before->second.displacement_m) {
+      all.push_back(level_score(plan, *result.displacement_m, level_on_elements));
+    } else {
+      all.push_back(along(plan, *before->second.displacement_m, *result.displacement_m));
+    }
+  }
+  const auto place = all.begin() + static_cast<std::ptrdiff_t>(plan.left_out_scenarios());
+  std::ranges::nth_element(all, place);
+  return *place == failed ? std::nullopt : std::optional(*place);
+}
+
+std::string unit_text(const Study& study) { return study.search.objective == Objective::body_lengths ? "BL" : "m2"; }
+
+/// Returns the walks of a robot that are the first ones of several robots'.
+std::span<const Confirmation> first_robot(std::span<const Confirmation> confirmed) {
+  std::size_t count = 0;
+  while (count < confirmed.size() && confirmed[count].rank == confirmed.front().rank) ++count;
+  return confirmed.first(count);
+}
+
+std::string walk_text(const Confirmation& walk) {
+  const std::string elements = " on " + std::string(to_string(walk.fidelity)) + " elements";
+  if (!walk.score) return "no walk" + elements + " (" + walk.reason + ")";
+  std::string text = io::formatted("%.4f", walk.along.value_or(*walk.score)) + elements;
+  if (walk.angle_deg) text += " (turned by " + io::formatted("%.0f", *walk.angle_deg) + " degrees)";
+  return text;
+}
+
+/// Describes the walks of a robot. @param is_named whether it has to be said which individual it is
+std::string robot_text(const Study& study, std::span<const Confirmation> walks, bool is_named) {
+  const Confirmation& one = walks.front();
+  std::string text = "number " + std::to_string(one.rank) + " of the search";
+  if (is_named) text += " (individual " + std::to_string(one.design.individual) + ")";
+  text += ": " + io::formatted("%.4f", one.design.fitness) + " " + unit_text(study) + " there, along the same direction ";
+  for (std::size_t n = 0; n < walks.size(); ++n)
+    text += (n == 0 ? "" : n + 1 < walks.size() ? ", " : " and ") + walk_text(walks[n]);
+  return text;
+}
+
+/// Says why the walks of a robot make it the champion.
+std::string choice_text(const Study& study, std::span<const Confirmation> confirmed, std::span<const Confirmation> best) {
+  std::string text = robot_text(study, best, false);
+  const std::span<const Confirmation> first = first_robot(confirmed);
+  if (first.front().rank != best.front().rank) text += "; it comes before " + robot_text(study, first, true);
+  if (confirmed_value(best) <= 0.0) text += "; no robot that was confirmed keeps its direction on finer elements";
+  return text;
 }
 
 }  // namespace
@@ -80,6 +147,7 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
       Confirmation one{.rank = n + 1, .design = robots[n], .fidelity = fidelity};
       if (!score.is_failed) one.score = score.at_most;
       if (score.is_failed) one.reason = first_reason(results);
+      one.along = along_of_scenarios(study.search, search, results);
       one.angle_deg = largest_angle_deg(search, results);
       all.push_back(std::move(one));
     }
@@ -87,18 +155,40 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
   return all;
 }
 
-std::optional<Confirmation> best_confirmed(const Study& study, const std::vector<Confirmation>& confirmed) {
-  const std::vector<fem::Fidelity> fidelities = finer_fidelities(study);
-  std::optional<Confirmation> best;
-  std::size_t robot = 0;
-  std::size_t walked = 0;  // of the fidelities of this robot
-  for (const Confirmation& one : confirmed) {
-    if (one.rank != robot) walked = 0;
-    robot = one.rank;
-    if (one.score) ++walked;
-    if (one.fidelity == fidelities.back() && walked == fidelities.size() && (!best || *one.score > *best->score)) best = one;
+std::optional<double> confirmed_value(std::span<const Confirmation> walks) {
+  if (std::ranges::none_of(walks, [](const Confirmation& one) { return one.score.has_value(); })) return std::nullopt;
+  std::optional<double> smallest;
+  std::size_t count = 0;
+  for (const Confirmation& one : walks) {
+    if (!one.along) continue;
+    smallest = std::min(*one.along, smallest.value_or(*one.along));
+    ++count;
+  }
+  if (smallest && *smallest > 0.0) *smallest *= static_cast<double>(count) / static_cast<double>(walks.size());
+  return smallest;
+}
+
+std::span<const Confirmation> best_confirmed(std::span<const Confirmation> confirmed) {
+  std::span<const Confirmation> best;
+  std::optional<double> largest;
+  while (!confirmed.empty()) {
+    const std::span<const Confirmation> robot = first_robot(confirmed);
+    const std::optional<double> value = confirmed_value(robot);
+    if (value && (!largest || *value > *largest)) {
+      best = robot;
+      largest = value;
+    }
+    confirmed = confirmed.subspan(robot.size());
   }
   return best;
+}
+
+std::string champion_text(const Champion& champion) {
+  const DesignSummary& design = champion.design;
+  std::string text = "Champion: individual " + std::to_string(design.individual.id) + ", " + std::to_string(design.cells) +
+                     " cells, " + phenotype_key(design.individual.phenotype);
+  if (!champion.note.empty()) text += "; " + champion.note;
+  return text;
 }
 
 std::optional<Champion> champion_of(const RunView& run, const Study& study, int generation,
@@ -106,39 +196,39 @@ std::optional<Champion> champion_of(const RunView& run, const Study& study, int 
   std::optional<DesignSummary> fittest = summarise_generation(run, generation).champion;
   if (!fittest) return std::nullopt;
   if (confirmed.empty()) return Champion{std::move(*fittest)};
-  const std::optional<Confirmation> best = best_confirmed(study, confirmed);
-  if (!best) {
-    return Champion{std::move(*fittest),
-                    "no robot that was confirmed walks on all finer elements: the champion is the best of the search"};
+  const std::span<const Confirmation> walks = best_confirmed(confirmed);
+  if (walks.empty()) {
+    return Champion{std::move(*fittest), "the best of the search, as no robot that was confirmed walks on finer elements; " +
+                                             robot_text(study, first_robot(confirmed), true)};
   }
-  if (best->design.phenotype == fittest->individual.phenotype) return Champion{std::move(*fittest)};
+  std::string note = choice_text(study, confirmed, walks);
+  const Confirmation& best = walks.front();
+  if (best.design.phenotype == fittest->individual.phenotype) return Champion{std::move(*fittest), std::move(note)};
   const std::vector<PoolMember> pool = run.archive->pool(generation);
-  const auto member = std::ranges::find(pool, best->design.individual, &PoolMember::id);
-  const PoolMember gone{.id = best->design.individual, .fitness = best->design.fitness};
-  return Champion{
-      summarise_design(run, run.archive->individual(best->design.individual), member == pool.end() ? gone : *member),
-      "the champion is the best robot on the finest elements, number " + std::to_string(best->rank) + " of the search"};
+  const auto member = std::ranges::find(pool, best.design.individual, &PoolMember::id);
+  const PoolMember gone{.id = best.design.individual, .fitness = best.design.fitness};
+  return Champion{summarise_design(run, run.archive->individual(best.design.individual), member == pool.end() ? gone : *member),
+                  std::move(note)};
 }
 
 io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmation>& confirmed) {
   const std::string unit(fitness_unit(study.search.objective));
-  io::CsvTable table(
-      {"rank", "individual", "design", "cells", "fitness_" + unit, "fidelity", "score_" + unit, "ratio", "angle_deg", "reason"});
+  io::CsvTable table({"rank", "individual", "design", "cells", "fitness_" + unit, "fidelity", "score_" + unit, "ratio",
+                      "angle_deg", "along_" + unit, "reason"});
   for (const Confirmation& one : confirmed) {
     const Phenotype simulated = as_simulated(study.search, one.design.phenotype);
     std::optional<double> ratio;
     if (one.score && one.design.fitness > 0.0) ratio = *one.score / one.design.fitness;
     table.add_row(std::uint64_t{one.rank}, one.design.individual, design_hash(simulated, level_on_elements),
                   std::uint64_t{simulated.body.count()}, one.design.fitness, to_string(one.fidelity), one.score, ratio,
-                  one.angle_deg, one.reason);
+                  one.angle_deg, one.along, one.reason);
   }
   return table;
 }
 
 std::string confirmation_text(const Study& study, const std::vector<Confirmation>& confirmed) {
   if (confirmed.empty()) return "";
-  const std::string unit = study.search.objective == Objective::body_lengths ? "BL" : "m2";
-  std::string text = "The best robots on finer elements [" + unit + "]:\n";
+  std::string text = "The best robots on finer elements [" + unit_text(study) + "]:\n";
   for (const Confirmation& one : confirmed) {
     text += "  " + std::to_string(one.rank) + ". individual " + std::to_string(one.design.individual) + ": " +
             io::formatted("%.4f", one.design.fitness) + " in the search, ";

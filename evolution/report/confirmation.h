@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,10 @@ struct Confirmation {
   FitDesign design;
   fem::Fidelity fidelity = fem::Fidelity::standard;
   std::optional<double> score{};  ///< in the unit of the objective; none if it failed
-  std::string reason{};           ///< of the first scenario that failed
+  /// The displacement along that in the search, in the unit of the objective, of the scenario that counts (see known_score):
+  /// negative where the robot goes back, 0 where it fell. None if the walk failed otherwise.
+  std::optional<double> along{};
+  std::string reason{};  ///< of the first scenario that failed
   /// The largest angle between the displacements in the search and here, over the scenarios.
   std::optional<double> angle_deg{};
 };
@@ -41,16 +45,25 @@ struct Confirmation {
 /// Returns what an archive has of these walks, robot by robot, as far as robots have all of them.
 std::vector<Confirmation> confirmations(const Study& study, const RunArchive& archive);
 
-/// Returns the robot that a search is shown by: of those that walk on all finer elements, the one with the best score on the
-/// finest. None if none of them does.
-/// @param confirmed robot by robot, as confirmations() returns them
-std::optional<Confirmation> best_confirmed(const Study& study, const std::vector<Confirmation>& confirmed);
+/// Returns what a robot is ranked by: the smallest displacement along that in the search (Confirmation::along). A fidelity on
+/// which the walk failed has none. Where it is positive, it is multiplied by the share of walks that did not fail: so a robot
+/// with a failed walk comes before one without only if it is that much better.
+/// @param walks of one robot, on all fidelities @return in the unit of the objective; none if no walk has a score
+std::optional<double> confirmed_value(std::span<const Confirmation> walks);
+
+/// Returns the walks of the robot that a search is shown by: the one of the largest confirmed_value, of equals the one that was
+/// better in the search. Empty if no robot has a walk with a score.
+/// @param confirmed robot by robot, as confirmations() returns them; outlives the result
+std::span<const Confirmation> best_confirmed(std::span<const Confirmation> confirmed);
 
 /// The robot that a search is shown by.
 struct Champion {
   DesignSummary design;
-  std::string note{};  ///< what confirmation has to say about the choice; may be empty
+  std::string note{};  ///< its walks on finer elements, and why it comes before the best of the search; may be empty
 };
+
+/// Says for people, in one line, which robot is the champion, and why.
+std::string champion_text(const Champion& champion);
 
 /// Chooses the champion of a search up to a generation: the robot of the best fitness, or the best confirmed one, if there is
 /// one.

@@ -15,6 +15,7 @@
 #include "evolution/report/fall_table.h"
 #include "evolution/report/individual_table.h"
 #include "evolution/report/niche_table.h"
+#include "evolution/report/refusal_table.h"
 #include "evolution/report/scenario_table.h"
 #include "evolution/report/step_check_table.h"
 #include "evolution/report/study_view.h"
@@ -66,8 +67,8 @@ class Exporter {
     if (!last) throw io::InputError(archive_.file().string() + ": has no finished generation");
     const std::vector<Confirmation> confirmed = confirmations(study_, archive_);
     if (std::optional<Champion> champion = champion_of(run_, study_, *last, confirmed)) {
+      result_.champion_line = champion_text(*champion);
       result_.champion = std::move(champion->design);
-      if (!champion->note.empty()) add_note(champion->note + " (confirmed.csv)");
     }
     if (result_.champion) require_levels();
     // Everything is read from the archive before a file of an earlier export is touched: reading may find a fault in it.
@@ -75,8 +76,9 @@ class Exporter {
     if (result_.champion && uses_elements(study_)) make_walk();
     io::require_writable_folder(folder_);
     if (options_.begins) options_.begins();
-    for (const char* name : {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv",
-                             "confirmed.csv", "falls.csv", "individuals.csv", "niches.csv", "periods.csv", "champion_walk.toml"})
+    for (const char* name :
+         {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv", "confirmed.csv",
+          "falls.csv", "individuals.csv", "niches.csv", "periods.csv", "refused.csv", "champion_walk.toml"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
     for (const auto& [name, table] : tables_) table.write(folder_ / name);
     if (result_.champion) write_champion();
@@ -99,6 +101,11 @@ class Exporter {
     if (study_.search.map_elites) add("niches.csv", niche_table(run_));
     if (study_.robust) add("scenarios.csv", scenario_table(run_, study_));
     if (tells_falls(study_)) add("falls.csv", fall_table(run_));
+    if (uses_elements(study_)) {
+      const Refusals refusals = refusals_of(run_);
+      add("refused.csv", refusal_table(refusals));
+      if (const std::string text = refusal_text(refusals); !text.empty()) add_note(text + " (refused.csv)");
+    }
     if (options_.individuals) add("individuals.csv", individual_table(run_));
     if (options_.timings) {
       add("timings.csv", timing_table(run_));

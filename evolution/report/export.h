@@ -38,6 +38,7 @@ struct LevelResult {
 struct ExportResult {
   io::RunStatus status = io::RunStatus::completed;  ///< completed, stopped, or that of the first simulation that did not complete
   std::optional<DesignSummary> champion;            ///< see export_run; none if no design has a fitness
+  std::string champion_line{};                      ///< which robot this is, and why (champion_text); empty if there is none
   std::vector<LevelResult> levels;
   std::vector<std::string> notes;  ///< pictures that could not be made; a simulation that differs from the archive
 };
@@ -47,6 +48,7 @@ struct ExportResult {
 /// - generations.csv, lineage.csv and costs.csv (see generations_table, lineage_table, cost_table);
 /// - if the time step was checked, check_dt.csv (step_check_table);
 /// - if robots were confirmed on finer elements, confirmed.csv (confirmation_table);
+/// - of a search on finite elements, refused.csv (refusal_table);
 /// - if bodies survived by niches, niches.csv (niche_table);
 /// - if there are scenarios, scenarios.csv (scenario_table);
 /// - if the archive has displacements by period, periods.csv with those of the champion, in the scenario that decided;

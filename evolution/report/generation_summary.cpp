@@ -49,6 +49,15 @@ KnownResults archived_results(const RunView& run, const Phenotype& simulated) {
   return results;
 }
 
+KnownResults archived_results_or_half(const RunView& run, const Phenotype& simulated) {
+  KnownResults results = archived_results(run, simulated);
+  if (!results.empty() || !run.plan.screening || run.plan.screening->by != Screener::half_walks) return results;
+  const int level = run.plan.levels().front();
+  const auto half = run.archive->evaluation({design_hash(simulated, level), level, io::content_hash(run.screening_physics)});
+  if (half) results.emplace(EvaluationStage{level, 0}, half->result);
+  return results;
+}
+
 std::optional<std::size_t> shown_scenario(const SearchPlan& plan, int level, const KnownResults& results) {
   return plan.scenarios == 1 ? std::optional<std::size_t>(0) : deciding_scenario(plan, level, results);
 }

@@ -55,6 +55,10 @@ struct RunView {
 /// Reads the results of a body from an archive. @param simulated see as_simulated
 KnownResults archived_results(const RunView& run, const Phenotype& simulated);
 
+/// Reads the results of a body from an archive; of a body whose walk went no further than its first half, which screened it,
+/// those of that half.
+KnownResults archived_results_or_half(const RunView& run, const Phenotype& simulated);
+
 /// Returns the scenario whose result stands for a body at a level: the only one, or that which decided; none if none has.
 std::optional<std::size_t> shown_scenario(const SearchPlan& plan, int level, const KnownResults& results);
 

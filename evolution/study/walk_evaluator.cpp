@@ -4,6 +4,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "evolution/study/half_walk_evaluator.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr double records_per_period = 30.0;
 constexpr double largest_record_interval_s = 0.02;
+constexpr std::string_view refused = "finite elements refuse the body: ";  ///< begins the reason of such a result
 
 fem::DriveMode drive_mode(voxel::ActuationMode mode) {
   switch (mode) {
@@ -170,7 +172,12 @@ void take_result(const Study& study, const fem::WalkResult& walk, Evaluation& re
 void set_refused(const io::InputError& error, Evaluation& result) {
   // For one body of many this is not wrong input, but a body without a result.
   result.status = io::RunStatus::diverged;
-  result.reason = std::string("finite elements refuse the body: ") + error.what();
+  result.reason = std::string(refused) + error.what();
+}
+
+std::optional<std::string> refusal_of(const Evaluation& result) {
+  if (result.status != io::RunStatus::diverged || !result.reason.starts_with(refused)) return std::nullopt;
+  return result.reason.substr(refused.size());
 }
 
 WalkEvaluator::WalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused)

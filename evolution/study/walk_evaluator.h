@@ -35,6 +35,9 @@ void take_result(const Study& study, const fem::WalkResult& walk, Evaluation& re
 /// Sets the result of a body that cannot walk.
 void set_refused(const io::InputError& error, Evaluation& result);
 
+/// Returns why finite elements refused the body of a result; none if they did not.
+std::optional<std::string> refusal_of(const Evaluation& result);
+
 class PausedWalks;
 
 /// Evaluates single modules by walks on finite elements, in the process (see fem::walk).

@@ -35,6 +35,12 @@ using test_support::archive_content;
 using test_support::Outcome;
 using test_support::ProgramRun;
 
+/// Returns the line that names the champion.
+std::string champion_line(const std::string& out) {
+  const std::size_t start = out.find("Champion: ");
+  return start == std::string::npos ? "" : out.substr(start, out.find('\n', start) - start);
+}
+
 class EvolveOnElements : public testing::Test {
  protected:
   EvolveOnElements() { io::write_whole(folder_ / "study.toml", tests::walking_study_text()); }
@@ -365,13 +371,35 @@ TEST_F(EvolveOnElements, ARobotThatFallsOnFinerElementsIsNotTheChampion) {
   const Outcome exported = export_to("run.sqlite", "out");
   ASSERT_EQ(exported.code, 0) << exported.err;
   EXPECT_NE(exported.out.find("Champion: individual " + second + ","), std::string::npos) << exported.out;
-  EXPECT_NE(exported.out.find("number 2 of the search"), std::string::npos) << exported.out;
+  // Both programs, and a search that is finished already, say in one line why the best robot of the search is not the champion.
+  const std::string line = champion_line(confirmed.out);
+  for (const char* words : {"; number 2 of the search: ", "it comes before number 1 of the search (individual ",
+                            "no walk on standard elements (it falls over)"})
+    EXPECT_NE(line.find(words), std::string::npos) << line << "\ndoes not say: " << words;
+  EXPECT_EQ(champion_line(exported.out), line);
+  EXPECT_EQ(champion_line(run("evolve", {"study.toml"}).out), line);
   const Outcome again = run("reevaluate", {"run.sqlite", "--top", "2", "-o", "again", "--no-pictures"});
   ASSERT_EQ(again.code, 0) << again.err;
   EXPECT_NE(again.out.find("winner/ has rank 2"), std::string::npos) << again.out;
   EXPECT_EQ(meshes::read_design(folder_ / "again/winner/design.toml").body.digits(),
             meshes::read_design(folder_ / "out/champion.toml").body.digits());
   EXPECT_EQ(io::read_csv(folder_ / "again/reevaluation.csv").text(1, "individual"), second);
+}
+
+TEST_F(EvolveOnElements, SaysHowManyBodiesWereRefused) {
+  std::string text = tests::walking_study_text();
+  text.replace(text.find("castable = true"), 15, "castable = false");
+  io::write_whole(folder_ / "study.toml", text);
+  const Outcome outcome = run("evolve", {"study.toml", "--seed", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Outcome exported = export_to("run.sqlite", "out");
+  ASSERT_EQ(exported.code, 0) << exported.err;
+  const std::size_t count = io::read_csv(folder_ / "out/refused.csv").row_count();
+  ASSERT_GT(count, 0U) << "the seed makes no body that finite elements refuse";
+  for (const std::string& out : {outcome.out, exported.out, run("evolve", {"study.toml", "--seed", "2"}).out}) {
+    EXPECT_NE(out.find("note: finite elements refused " + std::to_string(count) + " of "), std::string::npos) << out;
+    EXPECT_NE(out.find("refused.csv"), std::string::npos) << out;
+  }
 }
 
 TEST_F(EvolveOnElements, ABudgetEndsASearchAtACountedCost) {

@@ -4,13 +4,21 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "evolution/report/study_view.h"
 #include "evolution/study/walk_evaluator.h"
 #include "io/text/content_hash.h"
+#include "io/text/csv_table.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
@@ -171,29 +179,193 @@ TEST_F(ConfirmationTest, TellsWhyARobotFailed) {
   EXPECT_NE(confirmation_text(study, found).find("none on standard elements (walls pass"), std::string::npos);
 }
 
-/// Returns a row of a robot of this rank. @param score none if it failed
-Confirmation row(std::size_t rank, fem::Fidelity fidelity, std::optional<double> score) {
+/// Returns a row of a robot of this rank. @param along none if the walk failed
+Confirmation row(std::size_t rank, fem::Fidelity fidelity, std::optional<double> along) {
   Confirmation one;
   one.rank = rank;
   one.fidelity = fidelity;
-  one.score = score;
+  one.along = along;
+  if (along) one.score = std::abs(*along);
   return one;
 }
 
-TEST_F(ConfirmationTest, TheBestWalksOnAllFinerElements) {
-  const Study study = read();
-  const auto best = [&](const std::vector<Confirmation>& confirmed) {
-    const std::optional<Confirmation> found = best_confirmed(study, confirmed);
-    return found ? found->rank : 0;
-  };
-  using enum fem::Fidelity;
-  EXPECT_EQ(best({row(1, standard, 0.5), row(1, fine, 0.2), row(2, standard, 0.3), row(2, fine, 0.3)}), 2U)
-      << "the finest elements decide";
-  EXPECT_EQ(best({row(1, standard, std::nullopt), row(1, fine, 0.9), row(2, standard, 0.1), row(2, fine, 0.1)}), 2U)
-      << "the first falls on standard elements";
-  EXPECT_EQ(best({row(1, standard, 0.9), row(1, fine, std::nullopt)}), 0U);
-  EXPECT_EQ(best({row(1, fine, 0.9), row(2, standard, 0.9)}), 0U) << "walks are missing";
+/// Returns the rank of the robot that a search is shown by; 0 if there is none.
+std::size_t best(const std::vector<Confirmation>& confirmed) {
+  const std::span<const Confirmation> walks = best_confirmed(confirmed);
+  return walks.empty() ? 0 : walks.front().rank;
+}
+
+using enum fem::Fidelity;
+
+TEST(BestConfirmed, GoesFurthestOnTheElementsOnWhichItGoesLeast) {
+  EXPECT_EQ(best({row(1, standard, 0.5), row(1, fine, 0.2), row(2, standard, 0.3), row(2, fine, 0.3)}), 2U);
+  EXPECT_EQ(best({row(1, standard, 0.2), row(1, fine, 0.5), row(2, standard, 0.3), row(2, fine, 0.3)}), 2U);
+  EXPECT_EQ(best({row(1, standard, 0.3), row(1, fine, 0.3), row(2, standard, 0.3), row(2, fine, 0.4)}), 1U)
+      << "of equals the better one of the search";
+  EXPECT_EQ(best({row(1, standard, 0.4), row(1, fine, -0.2), row(2, standard, 0.1), row(2, fine, 0.1)}), 2U)
+      << "the first goes back on fine elements";
+  EXPECT_EQ(best({row(2, fine, 0.1), row(3, fine, 0.2)}), 3U) << "one fidelity, and the first robot has no walks";
   EXPECT_EQ(best({}), 0U);
+}
+
+TEST(BestConfirmed, AFailedWalkHalvesTheOther) {
+  EXPECT_EQ(best({row(1, standard, 0.3), row(1, fine, std::nullopt), row(2, standard, 0.1), row(2, fine, 0.1)}), 1U);
+  EXPECT_EQ(best({row(1, standard, 0.3), row(1, fine, std::nullopt), row(2, standard, 0.2), row(2, fine, 0.2)}), 2U);
+  EXPECT_EQ(best({row(1, standard, -0.3), row(1, fine, std::nullopt), row(2, standard, -0.2), row(2, fine, -0.2)}), 2U)
+      << "a failed walk does not make a way back shorter";
+  EXPECT_EQ(best({row(1, standard, std::nullopt), row(1, fine, std::nullopt), row(2, standard, -0.1), row(2, fine, 0.1)}), 2U)
+      << "a robot without a walk comes last";
+  EXPECT_EQ(best({row(1, standard, std::nullopt), row(1, fine, std::nullopt)}), 0U);
+}
+
+TEST(BestConfirmed, AFallIsNoDistance) {
+  Confirmation fallen = row(1, standard, 0.0);
+  fallen.score.reset();
+  EXPECT_EQ(best({fallen, row(1, fine, 0.5), row(2, standard, 0.1), row(2, fine, 0.1)}), 2U);
+  EXPECT_EQ(best({fallen, row(1, fine, 0.5), row(2, standard, -0.1), row(2, fine, 0.1)}), 1U);
+  EXPECT_EQ(best({fallen}), 0U) << "it has no score on any elements";
+}
+
+/// How a robot walks on elements of one fidelity: so far in so many degrees from the axis x, or not at all.
+struct KnownWalk {
+  double body_lengths = 0.0;
+  double angle_deg = 0.0;
+  std::string reason{};
+};
+
+/// Archives with walks that are stated instead of computed.
+class ChampionTest : public ConfirmationTest {
+ protected:
+  ChampionTest() : study_(read()) {}
+
+  [[nodiscard]] Evaluation result_of(const KnownWalk& walk, std::size_t element_count) const {
+    Evaluation result;
+    result.elements = element_count;
+    result.steps = 1;
+    if (!walk.reason.empty()) {
+      result.status = io::RunStatus::diverged;
+      result.reason = walk.reason;
+      return result;
+    }
+    const double length_m = walk.body_lengths * 3.0 * study_.search.cell_edge_m;
+    const double angle = walk.angle_deg * std::numbers::pi / 180.0;
+    result.status = io::RunStatus::completed;
+    result.displacement_m = {length_m * std::cos(angle), length_m * std::sin(angle), 0.001};
+    return result;
+  }
+
+  /// Makes an archive of these bodies, the best first, with their walks in the search, on standard and on fine elements.
+  void make(const std::vector<std::pair<std::string, std::array<KnownWalk, 3>>>& robots) const {
+    std::vector<std::string> bodies;
+    for (const auto& [body, walks] : robots) bodies.push_back(body);
+    tests::make_archive(folder_ / "run.sqlite", study_, bodies);
+    RunArchive archive = RunArchive::open_to_extend(folder_ / "run.sqlite");
+    for (const auto& [body, walks] : robots) {
+      Phenotype phenotype;
+      phenotype.body = meshes::Polycube::from_digits(3, 3, 3, body);
+      const std::string design = design_hash(as_simulated(study_.search, phenotype), 1);
+      archive.add_evaluation({design, 1, io::content_hash(WalkEvaluator(study_).physics())}, {0, result_of(walks[0], 100)});
+      for (const auto& [fidelity, walk] : {std::pair{standard, walks[1]}, std::pair{fine, walks[2]}}) {
+        Study finer = study_;
+        finer.silicone.elements.fidelity = fidelity;
+        const Reevaluation made{.design_hash = design,
+                                .level = 1,
+                                .protocol = WalkEvaluator(finer).physics(),
+                                .variant = "confirmed",
+                                .duration_s = study_.duration_s,
+                                .result = result_of(walk, 200)};
+        archive.add_reevaluations({&made, 1});
+      }
+    }
+  }
+
+  /// Returns the line that names the champion of the archive.
+  [[nodiscard]] std::string line() const {
+    const RunArchive archive = RunArchive::open_to_read(folder_ / "run.sqlite");
+    const auto champion = champion_of(view_of(archive, study_), study_, 0, confirmations(study_, archive));
+    return champion ? champion_text(*champion) : "";
+  }
+
+  Study study_;
+};
+
+TEST_F(ChampionTest, OneFailedWalkDoesNotMakeWayForARobotThatStandsStill) {
+  make({{hook, {KnownWalk{0.0686, 30.0}, {0.0741, 30.2}, {.reason = "walls went through each other"}}},
+        {bar, {KnownWalk{0.0003, 0.0}, {0.0002, 0.0}, {0.0004, 0.0}}}});
+  EXPECT_EQ(line(),
+            "Champion: individual 0, 3 cells, " + hook +
+                "; number 1 of the search: 1.0000 BL there, along the same direction 0.0741 on standard elements (turned by "
+                "0 degrees) and no walk on fine elements (walls went through each other)");
+}
+
+TEST_F(ChampionTest, ARobotThatTurnsBackMakesWayForOneThatKeepsItsDirection) {
+  make({{hook, {KnownWalk{0.0450, -100.0}, {0.0432, -97.0}, {0.0239, 79.0}}},
+        {bar, {KnownWalk{0.0150, 170.0}, {0.0127, -176.0}, {0.0159, 153.0}}}});
+  EXPECT_EQ(line(),
+            "Champion: individual 1, 3 cells, " + bar +
+                "; number 2 of the search: 0.8750 BL there, along the same direction 0.0123 on standard elements (turned by "
+                "14 degrees) and 0.0152 on fine elements (turned by 17 degrees); it comes before number 1 of the search "
+                "(individual 0): 1.0000 BL there, along the same direction 0.0431 on standard elements (turned by 3 degrees) "
+                "and -0.0239 on fine elements (turned by 179 degrees)");
+  const RunArchive archive = RunArchive::open_to_read(folder_ / "run.sqlite");
+  const std::vector<Confirmation> found = confirmations(study_, archive);
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_NEAR(found[1].score.value(), 0.0239, 1e-12);
+  EXPECT_NEAR(found[1].along.value(), 0.0239 * std::cos(179.0 / 180.0 * std::numbers::pi), 1e-12);
+  const io::CsvContents table = io::parse_csv(confirmation_table(study_, found).text(), "confirmed.csv");
+  EXPECT_NEAR(table.number(1, "along_body_lengths"), found[1].along.value(), 1e-12);
+}
+
+TEST_F(ChampionTest, IsTheBestOfTheSearchIfNoRobotWalksOnFinerElements) {
+  const KnownWalk failed{.reason = "walls went through each other"};
+  make({{hook, {KnownWalk{0.05, 0.0}, failed, failed}}, {bar, {KnownWalk{0.04, 0.0}, failed, failed}}});
+  EXPECT_NE(line().find("Champion: individual 0, 3 cells, " + hook +
+                        "; the best of the search, as no robot that was confirmed walks on finer elements; number 1"),
+            std::string::npos)
+      << line();
+}
+
+TEST_F(ChampionTest, SaysWhereNoRobotKeepsItsDirection) {
+  make({{hook, {KnownWalk{0.05, 0.0}, {0.05, 0.0}, {0.05, 180.0}}}, {bar, {KnownWalk{0.0, 0.0}, {0.04, 20.0}, {0.03, 0.0}}}});
+  EXPECT_NE(line().find("Champion: individual 1,"), std::string::npos) << "what stood still has no direction: 0\n" << line();
+  EXPECT_NE(line().find("no robot that was confirmed keeps its direction"), std::string::npos) << line();
+}
+
+TEST_F(ChampionTest, TheWorstScenarioCounts) {
+  study_ = read("[robust]\nfrictions = [0.4, 1.2]\nloss_factors = [0.1]\n");
+  ConfirmationTest::make("run.sqlite", study_, {hook});
+  RunArchive archive = RunArchive::open_to_extend(folder_ / "run.sqlite");
+  const std::string design = design_hash(as_simulated(study_.search, archive.fit_designs().front().phenotype), 1);
+  const auto evaluators = scenario_evaluators_of(study_);
+  // Nothing can be added twice to the archive of a search: its own walks decide the directions.
+  std::vector<std::array<double, 3>> directions_m;
+  for (const auto& evaluator : evaluators) {
+    const auto walk = archive.evaluation({design, 1, io::content_hash(evaluator->physics())});
+    ASSERT_TRUE(walk && walk->result.displacement_m);
+    directions_m.push_back(*walk->result.displacement_m);
+  }
+  for (const fem::Fidelity fidelity : {standard, fine}) {
+    Study finer = study_;
+    finer.silicone.elements.fidelity = fidelity;
+    const auto scenarios = scenario_evaluators_of(finer);
+    for (std::size_t n = 0; n < scenarios.size(); ++n) {
+      Reevaluation made{.design_hash = design,
+                        .level = 1,
+                        .protocol = scenarios[n]->physics(),
+                        .variant = "confirmed",
+                        .duration_s = study_.duration_s,
+                        .result = result_of({}, 200)};
+      const double factor = n == 0 ? 3.0 : -2.0;
+      const auto& direction_m = directions_m[n];
+      made.result.displacement_m = {factor * direction_m[0], factor * direction_m[1], 0.0};
+      archive.add_reevaluations({&made, 1});
+    }
+  }
+  const std::vector<Confirmation> found = confirmations(study_, archive);
+  ASSERT_EQ(found.size(), 2U);
+  const double back = -2.0 * level_score(study_.search, directions_m[1], 1);
+  EXPECT_NEAR(found[0].along.value(), back, 1e-12 * std::abs(back)) << "the robot goes back in one of two scenarios";
+  EXPECT_NEAR(found[0].angle_deg.value(), 180.0, 1e-9);
 }
 
 TEST_F(ConfirmationTest, FineElementsHaveNoFinerOnes) {
