@@ -207,9 +207,9 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
     visitor.number({"static_friction", "Coefficient of friction at rest."}, robot.static_friction, io::non_negative());
     visitor.number({"kinetic_friction", "Coefficient of friction while sliding, at most that at rest."}, robot.kinetic_friction,
                    io::non_negative());
-    visitor.check(
-        robot.kinetic_friction <= robot.static_friction, "kinetic_friction",
-        io::number_text(robot.kinetic_friction) + " must be at most static_friction, " + io::number_text(robot.static_friction));
+    visitor.check(robot.kinetic_friction <= robot.static_friction, "kinetic_friction",
+                  "must be at most static_friction, which is " + io::number_text(robot.static_friction) + "; left out, it is " +
+                      io::number_text(Robot().kinetic_friction));
   });
   visitor.table({"walk", "The walk that both models compute."}, [&] {
     visitor.boolean(

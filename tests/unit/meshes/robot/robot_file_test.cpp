@@ -145,7 +145,7 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "robot.digits = \"1001\": the body is in 2 parts");
   expect_body("layers = [[\"10\", \"01\"], [\"11\", \"01\"]]\ncell_edge_m = 0.01\n",
               "cells (0, 0, 0) and (1, 1, 0) touch only along an edge");
-  expect(whole + "[ground]\nstatic_friction = 0.4\n", "0.5 must be at most static_friction, 0.4");
+  expect(whole + "[ground]\nstatic_friction = 0.4\n", "must be at most static_friction, which is 0.4; left out, it is 0.5");
   expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
   expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");
   expect(whole + "[drive]\nmode = \"hold\"\n[search]\n", "mode = \"hold\": cannot stand beside a search");
