@@ -310,6 +310,12 @@ std::string export_text(const fs::path& results) {
   return "the best robot has " + std::to_string(meshes::read_design(champion).body.count()) + " cells; export/champion.toml";
 }
 
+std::string evolve_text(const fs::path& log) {
+  const std::string note = "note: ";
+  const std::string refused = line_of(log, note + "finite elements refused ");
+  return line_of(log, "Champion: ") + (refused.empty() ? "" : "; " + refused.substr(note.size()));
+}
+
 std::string finding_of(const std::string& stage, const fs::path& results, const meshes::Robot& robot) {
   if (stage == "mesh") return mesh_text(results);
   if (stage == "inflate") return inflate_text(results, robot);
@@ -319,7 +325,7 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   if (stage == "validate") return validate_text(results, robot);
   if (stage == "simulate") return walk_text(results / "simulate/result.toml");
   if (stage == "locomote" || stage == "locomote_finer") return walk_text(results / stage / "locomotion.toml");
-  if (stage == "evolve") return line_of(results / "logs/evolve.txt", "Champion: ");
+  if (stage == "evolve") return evolve_text(results / "logs/evolve.txt");
   if (stage == "export") return export_text(results);
   if (stage == "reevaluate") return "ranking in reevaluate/reevaluation.csv";
   return "";

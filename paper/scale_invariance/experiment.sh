@@ -5,6 +5,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
 done
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
 part_on_request three_scales "a minute" "the champion of ./run paper fractal three_scales"
+part_on_request similar "30 min of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
 part summary "1 min" "the tables and the picture of all robots that there are"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -44,6 +45,17 @@ three_scales() {
   local archive=build/paper/fractal/trial/trial.sqlite
   [ -e "$archive" ] || { say "scale_invariance: no search yet; make one with ./run paper fractal three_scales"; return 0; }
   champion three_scales 1 "$archive"
+}
+
+similar() {
+  local scene name
+  robots similar "$results/similar"
+  for scene in "$results"/similar/*.toml; do
+    name=${scene##*/}
+    name=${name%.*}
+    [ -e "$results/similar/$name/result.toml" ] || menger simulate "$scene" --output "$results/similar/$name"
+  done
+  robots simulated "$results/similar"
 }
 
 summary() { robots summary; }

@@ -3,7 +3,10 @@
 
 scale_invariance.py random INDIVIDUALS.csv           puts the random robots into robots.csv, of what menger export wrote
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
-scale_invariance.py summary                          makes statistics.csv, dimension.csv and scale_invariance.svg
+scale_invariance.py similar FOLDER                   writes scenes of the champions of two scales at larger scales, each with the weight, the
+                                                     stiffness, or both that make it as heavy and as stiff for its size as at the scale before
+scale_invariance.py simulated FOLDER                 makes similar.csv of what menger simulate wrote for these scenes
+scale_invariance.py summary                          makes statistics.csv, similar_statistics.csv, dimension.csv and scale_invariance.svg
 
 A robot carries over from one level to the next if it goes the same way within 45 degrees, and between half and twice as fast in body
 lengths. Robots that stand still at the smaller one do not count. Exit codes: 0 done, 2 wrong input.
@@ -18,7 +21,7 @@ sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
 from sample_statistics import median, share  # noqa: E402
-from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 LEVELS = (1, 2, 3)
@@ -30,6 +33,13 @@ RESAMPLES = 2000  # of robots that are paired by chance
 GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
           "three_scales": "evolved at three scales"}
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
+# A body three times as long that moves as often has three times the accelerations. It is as heavy beside them with three times the
+# gravity, and as stiff with nine times the modulus: stress is modulus times strain, and density times acceleration times length.
+SIMILAR = {"weight": (3.0, 1.0), "stiffness": (1.0, 9.0), "weight_and_stiffness": (3.0, 9.0)}
+SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": "Young's modulus x 9", "weight_and_stiffness": "both"}
+SIMILAR_COLUMNS = ["seed", "phenotype", "level", "change", "dx_m", "dy_m"]
+GRAVITY_M_PER_S2 = 9.81
+YOUNGS_MODULUS_PA = 1e4
 # Random robots at two scales, from another experiment
 AT_TWO_SCALES = HERE.parent / "discrepancies" / "walks" / "text.csv"
 
@@ -144,6 +154,77 @@ def statistics_of(group, rows, lower, upper):
     return {key: cell(value) for key, value in row.items()}
 
 
+def similar_scenes(folder):
+    """Scenes with the physics of the preset "paper" but for weight and stiffness."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for row in robots():
+        if row["group"] != "two_scales":
+            continue
+        for level in LEVELS[1:]:
+            for change, (weight, stiffness) in SIMILAR.items():
+                write_whole(folder / f"{row['seed']}_{level}_{change}.toml", f"""[design]
+name = "champion_{row['seed']}"
+cell_edge_m = {CELL_EDGE_M}
+cells = [3, 3, 3]
+digits = "{row['phenotype']}"
+level = {level}
+[time]
+duration_s = 5.0
+record_interval_s = 0.2
+[output]
+frames = false
+pictures = false
+[loads]
+gravity_m_per_s2 = {GRAVITY_M_PER_S2 * weight}
+[ground]
+stop_rotation = true
+[materials]
+youngs_modulus_Pa = {YOUNGS_MODULUS_PA * stiffness}
+density_kg_per_m3 = 10
+""")
+
+
+def take_similar(folder):
+    rows = []
+    for robot in robots():
+        if robot["group"] != "two_scales":
+            continue
+        for level in LEVELS[1:]:
+            changes = {"as_it_is": [robot[f"level_{level}_{axis}_m"] for axis in ("dx", "dy")]}
+            for change in SIMILAR:
+                result = folder / f"{robot['seed']}_{level}_{change}" / "result.toml"
+                if result.exists() and "displacement_m" in read_toml(result):
+                    changes[change] = [cell(value, 6) for value in read_toml(result)["displacement_m"][:2]]
+            rows += [dict(zip(SIMILAR_COLUMNS, [robot["seed"], robot["phenotype"], level, change, *ends_m])) for change, ends_m in changes.items()]
+    write_table(HERE / "similar.csv", SIMILAR_COLUMNS, rows)
+
+
+def similar_statistics():
+    """Whether the champions carry over to the next scale where weight and stiffness are those of a body of its size."""
+    file = HERE / "similar.csv"
+    made = []
+    if not file.exists():
+        return
+    at = {(row["seed"], int(row["level"]), row["change"]): [float(row["dx_m"]), float(row["dy_m"])] for row in read_table(file)}
+    first = {row["seed"]: ends([row], 1)[0] for row in robots() if row["group"] == "two_scales"}
+    for upper in LEVELS[1:]:
+        lower_of = {seed: first[seed] if upper == 2 else np.array(at[seed, 2, "as_it_is"]) for seed in first}
+        for change, label in SIMILAR_LABELS.items():
+            seeds = [seed for seed in first if (seed, upper, change) in at and np.hypot(*lower_of[seed]) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3 ** (upper - 1)]
+            if not seeds:
+                continue
+            angle, factor = angle_and_factor(np.array([lower_of[seed] for seed in seeds]), np.array([at[seed, upper, change] for seed in seeds]))
+            carried, same_way = share(int(carries_over(angle, factor).sum()), len(angle)), share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
+            speed = median(factor)
+            row = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label, "robots": len(angle),
+                   "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
+                   "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
+                   "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+            made.append({key: cell(value) for key, value in row.items()})
+    if made:
+        write_table(HERE / "similar_statistics.csv", list(made[0]), made)
+
+
 BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))
 
 
@@ -164,6 +245,7 @@ def summary():
     if not rows:
         raise InputError(f"{HERE / 'robots.csv'}: has no robot with two levels")
     write_table(HERE / "statistics.csv", list(rows[0]), rows)
+    similar_statistics()
     dimensions = by_dimension(every.get("random", []), 1, 2) + by_dimension(every.get("random", []), 2, 3)
     if dimensions:
         write_table(HERE / "dimension.csv", list(dimensions[0]), dimensions)
@@ -216,6 +298,10 @@ def main(arguments):
             add_random(pathlib.Path(source))
         case ["champion", folder, group, seed]:
             add_champion(pathlib.Path(folder), group, seed)
+        case ["similar", folder]:
+            similar_scenes(pathlib.Path(folder))
+        case ["simulated", folder]:
+            take_similar(pathlib.Path(folder))
         case ["summary"]:
             summary()
         case _:

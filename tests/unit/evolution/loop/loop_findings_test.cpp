@@ -166,6 +166,14 @@ TEST_F(LoopFindings, TellInWhichChambersADriveInAntiphaseHasItsPressure) {
   expect_has(verdict(), "The body bears its pressure: up to 9.6 kPa");
 }
 
+TEST_F(LoopFindings, TellWhichRobotASearchFoundAndWhatItsElementsRefused) {
+  io::write_whole(folder_ / "logs/evolve.txt", "Champion: individual 3, 5 cells\nNext: menger export\n");
+  EXPECT_EQ(found("evolve"), "Champion: individual 3, 5 cells");
+  io::write_whole(folder_ / "logs/evolve.txt",
+                  "note: finite elements refused 2 of 11 bodies\nChampion: individual 3, 5 cells\nNext: menger export\n");
+  EXPECT_EQ(found("evolve"), "Champion: individual 3, 5 cells; finite elements refused 2 of 11 bodies");
+}
+
 TEST_F(LoopFindings, TellOfVacuum) {
   robot_.pressure_Pa = {-6000.0, 0.0};
   stages_.erase("limit");

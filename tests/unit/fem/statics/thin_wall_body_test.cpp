@@ -69,6 +69,8 @@ std::vector<double> growth_of_skids(bool thin_walls) {
   return growth;
 }
 
+// Thin walls are known to 5 %, and one layer of Q2/P1 grows up to 3 % more here than two layers, which give 69.0 and 10.3 % on
+// the material of the studies, where thin walls give 67.7 and 10.3 %.
 TEST(ThinWallBody, PhasesBesideOuterWallsGrowAsOnQuadraticElements) {
   const std::vector<double> thin = growth_of_skids(true);
   const std::vector<double> quadratic = growth_of_skids(false);
