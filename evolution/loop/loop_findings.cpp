@@ -137,7 +137,7 @@ std::string driven_text(const meshes::Robot& robot, double pressure_Pa) {
 std::string inflation_end(const fs::path& results, const meshes::Robot& robot) {
   const auto result = table_at(results / "inflate/result.toml");
   if (!result) return "";
-  const std::string end = early_end(*result);
+  std::string end = early_end(*result);
   if (end.empty() || !io::is_file(results / "inflate/curves.csv")) return end;
   const double last_Pa = last_pressure_Pa(chambers_in(io::read_csv(results / "inflate/curves.csv")));
   if (result->text("status") == "wall_contact") return "walls of a chamber touch at " + driven_text(robot, last_Pa);
@@ -409,10 +409,10 @@ std::string contact_verdict(const fs::path& results, const meshes::Robot& robot)
   const auto inflation = table_at(results / "inflate/result.toml");
   if (!inflation) return "";
   const double lowest_Pa = drive_pressure_Pa(robot)[0];
-  if (inflation->text("status") != "wall_contact")
-    return lowest_Pa < 0.0 && early_end(*inflation).empty()
-               ? "Down to " + kilopascals(lowest_Pa) + " no walls of a chamber touch."
-               : "";
+  if (inflation->text("status") != "wall_contact") {
+    const bool is_whole_vacuum = lowest_Pa < 0.0 && early_end(*inflation).empty();
+    return is_whole_vacuum ? "Down to " + kilopascals(lowest_Pa) + " no walls of a chamber touch." : "";
+  }
   return "Before the drive has come to " + kilopascals(strongest_pressure_Pa(robot)) + ", " + inflation_end(results, robot) +
          ": shapes beyond are not computed, and walks have walls that press on each other, which makes them less sure.";
 }
