@@ -155,17 +155,22 @@ std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
          io::formatted("%.0f", 100.0 * std::abs(*growth - 1.0)) + (*growth < 1.0 ? " % less air" : " % more air");
 }
 
-/// The least pressure at which the body balloons: of the search for it, where all chambers have one pressure, and of the
-/// inflation to the states of the drive, where that ended so.
+/// The limit pressure that the search for it found, in which all chambers have one pressure.
+std::optional<double> common_limit_Pa(const fs::path& results) {
+  const auto result = table_at(results / "limit/result.toml");
+  const auto limit = result ? meshes::limit_pressure(*result) : std::nullopt;
+  return limit ? std::optional(limit->pressure_Pa) : std::nullopt;
+}
+
+/// The least pressure at which the body balloons: of the search for it, and of the inflation to the states of the drive, where
+/// that ended so.
 std::optional<double> limit_pressure_Pa(const fs::path& results) {
-  std::optional<double> least_Pa;
-  for (const char* const stage : {"limit", "inflate"}) {
-    const auto result = table_at(results / stage / "result.toml");
-    const bool counts = result && (stage == std::string("limit") || result->text("status") == "limit_point");
-    const auto limit = counts ? meshes::limit_pressure(*result) : std::nullopt;
-    if (limit) least_Pa = std::min(limit->pressure_Pa, least_Pa.value_or(limit->pressure_Pa));
-  }
-  return least_Pa;
+  const std::optional<double> common_Pa = common_limit_Pa(results);
+  const auto inflation = table_at(results / "inflate/result.toml");
+  if (!inflation || inflation->text("status") != "limit_point") return common_Pa;
+  const auto driven = meshes::limit_pressure(*inflation);
+  if (!driven) return common_Pa;
+  return std::min(driven->pressure_Pa, common_Pa.value_or(driven->pressure_Pa));
 }
 
 std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
@@ -173,9 +178,10 @@ std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
   if (!result) return "";
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   if (const auto limit_Pa = limit_pressure_Pa(results)) {
-    return "it balloons at " + kilopascals(*limit_Pa) +
-           (robot.drive == meshes::RobotDrive::antiphase ? " in all chambers together; the drive of " : "; the drive of ") +
-           kilopascals(drive_Pa) + " is " + percents(drive_Pa / *limit_Pa) + " of that";
+    const bool is_antiphase = robot.drive == meshes::RobotDrive::antiphase;
+    const std::string where = is_antiphase && limit_Pa == common_limit_Pa(results) ? " in all chambers together" : "";
+    return "it balloons at " + kilopascals(*limit_Pa) + where + "; the drive of " + kilopascals(drive_Pa) + " is " +
+           percents(drive_Pa / *limit_Pa) + " of that";
   }
   const io::CsvContents curves = io::read_csv(results / "limit/curves.csv");
   double highest_Pa = 0.0;

@@ -171,8 +171,9 @@ std::vector<std::vector<std::size_t>> VoxelEvaluator::groups(std::span<const Eva
   std::vector<std::vector<std::size_t>> groups;
   if (device_ == io::Device::cuda) {
     // The device shares itself out among robots that it is given together. To build them takes a processor little beside that.
-    if (!tasks.empty()) groups.emplace_back(tasks.size());
-    for (std::vector<std::size_t>& all : groups) std::iota(all.begin(), all.end(), std::size_t{0});
+    if (tasks.empty()) return groups;
+    std::vector<std::size_t>& all = groups.emplace_back(tasks.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
     return groups;
   }
   std::vector<std::size_t> modules;

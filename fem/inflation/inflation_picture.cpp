@@ -96,13 +96,21 @@ double cutting_depth(const DeformedBody& body) {
   constexpr double much_less = 0.7;  // of the elements in the middle
   const std::vector<std::array<double, 2>> elements = depths_of_elements(body);
   std::set<double> planes;
-  for (const auto& [low, high] : elements) planes.insert({low, high});
+  std::vector<double> lows;
+  std::vector<double> highs;
+  for (const auto& [low, high] : elements) {
+    planes.insert({low, high});
+    lows.push_back(low);
+    highs.push_back(high);
+  }
+  std::ranges::sort(lows);
+  std::ranges::sort(highs);
   const double width = *planes.rbegin() - *planes.begin();
   const double middle = 0.5 * (*planes.begin() + *planes.rbegin());
   // Behind the plane: the middle often is a plane of the mesh itself.
   const auto cut_through = [&](double depth) {
     const double behind = depth + 1e-6 * width;
-    return std::ranges::count_if(elements, [&](const auto& range) { return range[0] < behind && behind < range[1]; });
+    return (std::ranges::lower_bound(lows, behind) - lows.begin()) - (std::ranges::upper_bound(highs, behind) - highs.begin());
   };
   const auto in_the_middle = static_cast<double>(cut_through(middle));
   double best = middle;

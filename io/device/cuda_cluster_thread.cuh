@@ -8,6 +8,8 @@
 
 namespace menger::io {
 
+#if !defined(__CUDA_ARCH__) || __CUDA_ARCH__ >= 900  // there are no clusters on older cards
+
 /// A thread of several CUDA blocks that work on one robot together, see LoneThread. They are a cluster: its blocks run at the
 /// same time on multiprocessors near each other, wait for each other, and write into each other's memory. Needs compute
 /// capability 9.0.
@@ -60,5 +62,7 @@ class CudaClusterThread {
   unsigned rank_, blocks_;
   bool is_second_ = false;
 };
+
+#endif
 
 }  // namespace menger::io

@@ -124,8 +124,7 @@ bool is_fitted_body(const Robot& robot) {
   const Polycube& body = robot.design.body;
   const std::array<std::int64_t, 3> cells{body.nx(), body.ny(), body.nz()};
   std::string digits = body.digits();
-  const bool has_both = digits.find('1') != std::string::npos && digits.find('2') != std::string::npos;
-  if (has_both && robot.chambers != ChamberLayout::single) return false;
+  if (chamber_count(robot) > 1) return false;
   std::ranges::replace(digits, '2', '1');  // in one chamber, which material a cell has decides nothing
   const std::vector<CalibrationCase> cases = all_cases();
   return std::ranges::any_of(cases, [&](const CalibrationCase& load) {

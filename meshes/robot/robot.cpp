@@ -88,6 +88,8 @@ std::string named_law(const materials::SourcedLaw& sourced) {
   return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
 }
 
+namespace {
+
 /// The keys of robot.toml that mean a law of the record: "law_name = "ogden1"", with law_variant where the record has several.
 std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
   const std::string line = materials::law_line(law.law);
@@ -102,6 +104,8 @@ std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeR
   const std::string name = "law_name = \"" + std::string(materials::name_of(law.law)) + "\"";
   return count == 1 ? name : name + " with law_variant = " + std::to_string(variant);
 }
+
+}  // namespace
 
 std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot) {
   std::vector<materials::SourcedLaw> laws{robot.record.recommended};

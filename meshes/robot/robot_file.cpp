@@ -119,11 +119,6 @@ void check_drive(const Robot& robot, const io::TomlTable& top) {
 /// Of the air around, absolute.
 constexpr double atmosphere_Pa = 101325.0;
 
-bool has_both_materials(const Polycube& body) {
-  const std::string digits = body.digits();
-  return digits.find('1') != std::string::npos && digits.find('2') != std::string::npos;
-}
-
 bool is_number(const io::TomlTable& table, std::string_view key) {
   if (!table.has(key)) return false;
   try {
@@ -162,7 +157,7 @@ void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
                robot.drive, io::words_of(RobotDrive::in_phase, RobotDrive::antiphase, RobotDrive::hold));
   visitor.check(robot.drive != RobotDrive::antiphase || robot.chambers == ChamberLayout::per_phase, "mode",
                 "needs robot.chambers = \"per-phase\": a chamber has one pressure");
-  visitor.check(robot.drive != RobotDrive::antiphase || !robot.has_body() || has_both_materials(robot.design.body), "mode",
+  visitor.check(robot.drive != RobotDrive::antiphase || !robot.has_body() || chamber_count(robot) > 1, "mode",
                 "needs cells of material 1 and of material 2: all of this body would move together");
   visitor.check(robot.drive != RobotDrive::hold || !robot.pressure_Pa || robot.pressure_Pa->back() != 0.0, "mode",
                 "keeps the highest of pressure_Pa, which is 0");

@@ -138,19 +138,23 @@ def groups():
     return every
 
 
-def statistics_of(group, rows, lower, upper):
-    lower_m, upper_m = moving(rows, lower, upper)
-    if len(lower_m) == 0:
-        return None
+def outcome(lower_m, upper_m):
+    """Whether robots carry over, go the same way, and how much faster they are, with intervals."""
     angle, factor = angle_and_factor(lower_m, upper_m)
     carried = share(int(carries_over(angle, factor).sum()), len(angle))
     same_way = share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
     speed = median(factor)
-    row = {"group": group, "label": GROUPS[group], "levels": f"{lower} to {upper}", "cells": f"{3**lower} to {3**upper}", "robots": len(angle),
-           "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
-           "by_chance": by_chance(lower_m, upper_m) if len(angle) > 1 else None,
-           "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
-           "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+    return {"robots": len(angle), "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
+            "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
+            "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+
+
+def statistics_of(group, rows, lower, upper):
+    lower_m, upper_m = moving(rows, lower, upper)
+    if len(lower_m) == 0:
+        return None
+    row = {"group": group, "label": GROUPS[group], "levels": f"{lower} to {upper}", "cells": f"{3**lower} to {3**upper}"} | outcome(lower_m, upper_m)
+    row["by_chance"] = by_chance(lower_m, upper_m) if len(lower_m) > 1 else None
     return {key: cell(value) for key, value in row.items()}
 
 
@@ -213,13 +217,8 @@ def similar_statistics():
             seeds = [seed for seed in first if (seed, upper, change) in at and np.hypot(*lower_of[seed]) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3 ** (upper - 1)]
             if not seeds:
                 continue
-            angle, factor = angle_and_factor(np.array([lower_of[seed] for seed in seeds]), np.array([at[seed, upper, change] for seed in seeds]))
-            carried, same_way = share(int(carries_over(angle, factor).sum()), len(angle)), share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
-            speed = median(factor)
-            row = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label, "robots": len(angle),
-                   "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
-                   "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
-                   "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+            row = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
+            row |= outcome(np.array([lower_of[seed] for seed in seeds]), np.array([at[seed, upper, change] for seed in seeds]))
             made.append({key: cell(value) for key, value in row.items()})
     if made:
         write_table(HERE / "similar_statistics.csv", list(made[0]), made)

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <type_traits>
 
 #include "io/device/cuda_block_thread.cuh"
@@ -19,6 +18,7 @@ constexpr int blocks_at_once = 2;
 using ThreadOfBlocks = io::CudaBlockThread;
 #else
 using ThreadOfBlocks = io::CudaClusterThread;
+static_assert(most_blocks <= ThreadOfBlocks::most_blocks);
 #endif
 
 /// Copies an object for all threads of a block.
