@@ -90,7 +90,9 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
     chart.series.push_back({.name = pressures.size() == 1 ? "the chamber" : without_ending(pressure, "_pressure_Pa"),
                             .x = column_of(curves, plenum + "_volume_m3", 1e6),
                             .y = column_of(curves, pressure, 1e-3),
-                            .marks = PageMarks::line_and_points});
+                            .marks = PageMarks::line_and_points,
+                            // Chambers alike have the same curve: the one below shows through the gaps.
+                            .dashed = chart.series.size() % 2 == 1});
   }
   const std::vector<TurningPoint> turning_points = turning_points_in(result);
   for (const TurningPoint& point : turning_points) {
@@ -372,8 +374,8 @@ void add_load_cases(const CommandOutput& output, PageSection& section) {
   if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
-void add_search(const CommandOutput& output, PageSection& section) {
-  const SearchTables tables = read_search_tables(output);
+void add_search(const CommandOutput& output, const std::vector<CommandOutput>& outputs, PageSection& section) {
+  const SearchTables tables = read_search_tables(output, outputs);
   const std::string best = fitness_column(tables.generations);
   const std::string unit = best.ends_with("_body_lengths") ? "body lengths" : "m\u00b2";
   const std::vector<double> generations = column_of(tables.generations, "generation");
@@ -398,20 +400,21 @@ void add_search(const CommandOutput& output, PageSection& section) {
   const auto fitness =
       std::ranges::find_if(lineage.columns(), [](const std::string& column) { return column.starts_with("fitness_"); });
   if (fitness != lineage.columns().end()) {
-    PageSeries line{.name = "ancestors of the champion, the eldest first",
+    PageSeries line{.name = "ancestors of " + tables.lineage_of + ", the eldest first",
                     .x = column_of(lineage, "generation"),
                     .y = column_of(lineage, *fitness),
                     .marks = PageMarks::line_and_points};
     for (std::size_t row = 0; row < lineage.row_count(); ++row)
       line.labels.push_back("individual " + text_in(lineage, row, "individual") + ", " + text_in(lineage, row, "cells") +
                             " cells, " + text_in(lineage, row, "phenotype"));
-    section.charts.push_back({.title = "Lineage of the champion: " + tables.source,
+    section.charts.push_back({.title = "Lineage of " + tables.lineage_of + ": " + tables.source,
                               .x = {.title = "generation of birth"},
                               .y = {.title = "fitness (" + unit + ")"},
                               .series = {std::move(line)},
                               .note = "Each point is the parent of the next."});
   }
-  section.tables.push_back(shown_table("Lineage of the champion: " + tables.source, lineage, lineage.columns(), tables.source));
+  section.tables.push_back(
+      shown_table("Lineage of " + tables.lineage_of + ": " + tables.source, lineage, lineage.columns(), tables.source));
 }
 
 void add_reevaluation(const CommandOutput& output, PageSection& section) {
@@ -565,14 +568,16 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
     for (PageChart& chart : section.charts) thin_series(chart);
     if (!section.charts.empty() || !section.tables.empty() || !section.words.empty()) sections.push_back(std::move(section));
   };
-  using Add = void (*)(const CommandOutput&, PageSection&);
+  using Add = std::function<void(const CommandOutput&, PageSection&)>;
   const std::vector<const CommandOutput*> searches = searches_in(outputs);
-  const auto is_no_search = [&](const CommandOutput& output) { return std::ranges::find(searches, &output) == searches.end(); };
+  const auto add_searches = [&](const CommandOutput& output, PageSection& section) {
+    if (std::ranges::find(searches, &output) != searches.end()) add_search(output, outputs, section);
+  };
   const auto each = [&](const char* title, const char* id, const std::map<std::string, Add>& commands) {
     PageSection section{.title = title, .id = id};
     for (const CommandOutput& output : outputs) {
       const auto add = commands.find(command_of(output));
-      if (add == commands.end() || (add->second == &add_search && is_no_search(output))) continue;
+      if (add == commands.end()) continue;
       try {
         add->second(output, section);
       } catch (const io::InputError& error) {
@@ -585,7 +590,7 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   keep(walk_section(outputs, notes));
   each("Shapes of the surrogate", "validation", {{"validate", add_validation}});
   each("Calibration", "calibration", {{"calibrate", add_calibration}});
-  each("Search", "search", {{"evolve", add_search}, {"export", add_search}, {"confirm", add_confirmation}});
+  each("Search", "search", {{"evolve", add_searches}, {"export", add_searches}, {"confirm", add_confirmation}});
   each("Robots of the search on finite elements", "ranking", {{"reevaluate", add_reevaluation}});
   each("Natural frequencies", "modes", {{"modes", add_modes}});
   each("Error against cost", "tradeoff", {{"tradeoff", add_trade_off}});

@@ -191,8 +191,8 @@ RankingFacts ranking_facts(const CommandOutput& output) {
   return facts;
 }
 
-SearchFacts search_facts(const CommandOutput& output) {
-  const SearchTables tables = read_search_tables(output);
+SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandOutput>& outputs) {
+  const SearchTables tables = read_search_tables(output, outputs);
   SearchFacts facts{.source = tables.source, .unit = {}};
   const io::CsvContents& generations = tables.generations;
   facts.generations = generations.row_count();
@@ -251,7 +251,7 @@ ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<st
       if (command == "validate") facts.validations.push_back(validation_facts(output));
       if (command == "simulate" || command == "locomote") facts.walks.push_back(walk_facts(output));
       if (command == "reevaluate") facts.rankings.push_back(ranking_facts(output));
-      if (std::ranges::find(searches, &output) != searches.end()) facts.searches.push_back(search_facts(output));
+      if (std::ranges::find(searches, &output) != searches.end()) facts.searches.push_back(search_facts(output, outputs));
       if (command == "modes") facts.modes.push_back(modes_facts(output));
     } catch (const io::InputError& error) {
       notes.emplace_back(error.what());

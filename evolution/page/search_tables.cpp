@@ -24,7 +24,28 @@ fs::path archive_of(const CommandOutput& evolved) {
   return evolved.folder / (name.substr(0, name.size() - std::min(name.size(), ending.size())) + ".sqlite");
 }
 
-SearchTables tables_of_archive(const CommandOutput& evolved) {
+std::optional<io::CsvContents> exported_lineage(const CommandOutput& exported) {
+  const fs::path lineage = exported.folder / "lineage.csv";
+  if (!io::is_file(lineage)) return std::nullopt;
+  return io::read_csv(lineage);
+}
+
+bool reads_study(const CommandOutput& output, const std::string& hash) {
+  return std::ranges::any_of(output.inputs, [&](const auto& input) { return input.second == hash; });
+}
+
+/// The lineage in an export of an archive, if there is one of as many generations.
+std::optional<io::CsvContents> lineage_of_export(const std::string& study_hash, std::size_t generations,
+                                                 const std::vector<CommandOutput>& outputs) {
+  for (const CommandOutput& output : outputs) {
+    if (command_of(output) != "export" || !reads_study(output, study_hash)) continue;
+    const fs::path table = output.folder / "generations.csv";
+    if (io::is_file(table) && io::read_csv(table).row_count() == generations) return exported_lineage(output);
+  }
+  return std::nullopt;
+}
+
+SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<CommandOutput>& outputs) {
   const fs::path file = archive_of(evolved);
   const RunArchive archive = RunArchive::open_to_read(file);
   const RunView run = view_of(archive, archived_study(archive));
@@ -33,18 +54,18 @@ SearchTables tables_of_archive(const CommandOutput& evolved) {
   SearchTables tables{.source = file_of(evolved, file.filename().string()),
                       .generations = io::parse_csv(generations_table(run).text(), file),
                       .lineage = std::nullopt};
-  if (const auto champion = summarise_generation(run, *last).champion)
-    tables.lineage = io::parse_csv(lineage_table(run, champion->individual.id).text(), file);
+  tables.lineage = lineage_of_export(io::content_hash(archive.study()), tables.generations.row_count(), outputs);
+  if (tables.lineage) return tables;
+  tables.lineage_of = "the fittest robot";
+  if (const auto fittest = summarise_generation(run, *last).champion)
+    tables.lineage = io::parse_csv(lineage_table(run, fittest->individual.id).text(), file);
   return tables;
 }
 
 SearchTables exported_tables(const CommandOutput& exported) {
-  SearchTables tables{.source = file_of(exported, "generations.csv"),
-                      .generations = io::read_csv(exported.folder / "generations.csv"),
-                      .lineage = std::nullopt};
-  const fs::path lineage = exported.folder / "lineage.csv";
-  if (io::is_file(lineage)) tables.lineage = io::read_csv(lineage);
-  return tables;
+  return {.source = file_of(exported, "generations.csv"),
+          .generations = io::read_csv(exported.folder / "generations.csv"),
+          .lineage = exported_lineage(exported)};
 }
 
 /// The hash of the study in an archive, by which exports name it; empty if it cannot be read.
@@ -58,8 +79,8 @@ std::string study_hash(const CommandOutput& evolved) {
 
 }  // namespace
 
-SearchTables read_search_tables(const CommandOutput& output) {
-  return command_of(output) == "evolve" ? tables_of_archive(output) : exported_tables(output);
+SearchTables read_search_tables(const CommandOutput& output, const std::vector<CommandOutput>& outputs) {
+  return command_of(output) == "evolve" ? tables_of_archive(output, outputs) : exported_tables(output);
 }
 
 std::vector<const CommandOutput*> searches_in(const std::vector<CommandOutput>& outputs) {

@@ -13,12 +13,16 @@ namespace menger::evolution {
 struct SearchTables {
   std::string source;  ///< where they come from, relative to the folder of the report
   io::CsvContents generations;
-  std::optional<io::CsvContents> lineage;  ///< of the champion, if a design has a fitness
+  std::optional<io::CsvContents> lineage;  ///< of the robot below, if a design has a fitness
+  std::string lineage_of = "the champion";
 };
 
-/// Reads the tables of a search: those that menger export wrote, or those of the archive that menger evolve wrote.
+/// Reads the tables of a search: those that menger export wrote, or those of the archive that menger evolve wrote. Which robot is
+/// the champion an export knows, since finer elements may have confirmed another one than the fittest: the lineage is that of the
+/// export of the same generations, and if there is none, that of the fittest robot.
+/// @param outputs among which the exports of an archive are
 /// @throws io::InputError if they, or the archive, cannot be read
-SearchTables read_search_tables(const CommandOutput& output);
+SearchTables read_search_tables(const CommandOutput& output, const std::vector<CommandOutput>& outputs);
 
 /// Returns the outputs that stand for searches: all archives, and the exports of archives that are not among the outputs. An
 /// export is that of an archive if both have the same study, whatever the files are called.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "evolution/study/half_walk_evaluator.h"
+#include "fem/walk/walk_input_error.h"
 #include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_text.h"
 #include "io/text/formatted.h"
@@ -172,7 +173,9 @@ void take_result(const Study& study, const fem::WalkResult& walk, Evaluation& re
 void set_refused(const io::InputError& error, Evaluation& result) {
   // For one body of many this is not wrong input, but a body without a result.
   result.status = io::RunStatus::diverged;
-  result.reason = std::string(refused) + error.what();
+  const auto* of_walk = dynamic_cast<const fem::WalkInputError*>(&error);
+  // The reason names the body already.
+  result.reason = std::string(refused) + (of_walk != nullptr && of_walk->key() == "design" ? of_walk->reason() : error.what());
 }
 
 std::optional<std::string> refusal_of(const Evaluation& result) {

@@ -14,7 +14,9 @@ constexpr const char* reference_level = "the reference's own error";
 constexpr io::Colour level_colour{150, 150, 150};
 constexpr double least_percent = 1e-4;
 constexpr double least_s = 1e-3;
-constexpr double legend_room = 10.0;  // a decade above all points, so that the legend covers none
+// The legend's share of the height of a panel, so that it covers no point: of its margins, and of each line.
+constexpr double legend_margin = 0.03;
+constexpr double legend_line = 0.04;
 
 double drawn_percent(double error, const TradeTable& table) {
   const double least = std::max(least_percent, 10.0 * table.reference_error.value_or(0.0));
@@ -43,6 +45,13 @@ void cover_decades(io::ChartAxis& axis, const std::vector<double>& values) {
   const auto [least, most] = std::ranges::minmax(values);
   axis.lowest = std::pow(10.0, std::floor(std::log10(least / margin)));
   axis.highest = std::pow(10.0, std::ceil(std::log10(most * margin)));
+}
+
+/// Raises the upper end of the axis of errors by what the legend takes.
+void make_room_for_legend(io::ChartPanel& panel) {
+  if (!panel.y.lowest || !panel.y.highest) return;
+  const double share = std::min(0.6, legend_margin + legend_line * static_cast<double>(panel.series.size()));
+  *panel.y.highest *= std::pow(*panel.y.highest / *panel.y.lowest, share / (1.0 - share));
 }
 
 }  // namespace
@@ -77,7 +86,6 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
   }
   cover_decades(panel.x, seconds);
   cover_decades(panel.y, percents);
-  if (panel.y.highest) *panel.y.highest *= legend_room;
   const auto is_raised = [&](const TradeRow& row) {
     return row.error && row.seconds && drawn_percent(*row.error, table) > 100.0 * *row.error;
   };
@@ -94,6 +102,7 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
                             .marks = io::Marks::line,
                             .colour = level_colour});
   }
+  make_room_for_legend(panel);
   return panel;
 }
 

@@ -15,6 +15,12 @@ constexpr double largest_looked_up = 0.8;  // relative to the reach: nearer to i
 constexpr double no_path = 1e-12;          // displacement relative to the shortest edge; stands for the rounding of depths
 constexpr double nothing_paid = 1e-18;     // relative to the square of the shortest edge
 
+/// Whether a point is surely in front of every point of a face: these lie between the corners.
+bool is_in_front(const FaceCorners& corners, const Point& normal, const Point& point) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Point& corner) { return dot(difference(point, corner), normal) > 0.0; });
+}
+
 std::vector<double> positions_of(const meshes::HexahedralMesh& mesh) {
   std::vector<double> positions;
   positions.reserve(3 * mesh.points.size());
@@ -148,12 +154,17 @@ double SelfContact::clearance_m(std::size_t candidate) const {
   double smallest_square = reach_m() * reach_m();
   for (std::size_t f = candidates_.offsets[candidate]; f < candidates_.offsets[candidate + 1]; ++f) {
     const std::uint32_t face = candidates_.faces[f];
-    const NearestOnFace nearest = nearest_on_face(surfaces_.corners(face, points_), point);
+    const FaceCorners corners = surfaces_.corners(face, points_);
     const Point& normal = normals_[face];
-    const bool is_behind = dot(difference(point, nearest.point), normal) < 0.0;
-    if (is_behind &&
-        std::any_of(around.begin(), around.end(), [&](std::uint32_t own) { return dot(normals_[own], normal) < largest_cosine; }))
-      return 0.0;
+    const bool may_be_behind =
+        !is_in_front(corners, normal, point) &&
+        std::any_of(around.begin(), around.end(), [&](std::uint32_t own) { return dot(normals_[own], normal) < largest_cosine; });
+    if (!may_be_behind) {
+      smallest_square = smaller_square_m2(smallest_square, corners, point);
+      continue;
+    }
+    const NearestOnFace nearest = nearest_on_face(corners, point);
+    if (dot(difference(point, nearest.point), normal) < 0.0) return 0.0;
     smallest_square = std::min(smallest_square, nearest.distance_square_m2);
   }
   return std::sqrt(smallest_square);

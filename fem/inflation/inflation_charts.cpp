@@ -26,8 +26,11 @@ io::ChartPanel panel(const InflationResult& result, VolumeScale scale) {
   const PathPoint& rest = result.path.points.front();
   const bool named = result.plenum_names.size() > 1 && result.plenum_names.size() <= largest_named_count;
   for (std::size_t p = 0; p < result.plenum_names.size(); ++p) {
-    io::ChartSeries series{
-        .name = named ? result.plenum_names[p] : "", .marks = io::Marks::line_and_points, .colour = io::chart_colour(p)};
+    io::ChartSeries series{.name = named ? result.plenum_names[p] : "",
+                           .marks = io::Marks::line_and_points,
+                           // Chambers alike have the same curve: the one below shows through the gaps.
+                           .dashed = p % 2 == 1,
+                           .colour = io::chart_colour(p)};
     for (const PathPoint& point : result.path.points) {
       series.x.push_back(on_axis(scale, point.plenum_volumes_m3[p], rest.plenum_volumes_m3[p]));
       series.y.push_back(1e-3 * point.pressures_Pa[p]);

@@ -1,5 +1,5 @@
 # What does accuracy cost, and does a finer surrogate find better robots?
-part body "5 min, on an idle machine" "an inflated inchworm at every fidelity of both models"
+part body "10 min, on an idle machine" "an inflated inchworm at every fidelity of both models"
 part searches "20 min of two cores" "twelve searches of equal cost at four fidelities of the voxels"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh

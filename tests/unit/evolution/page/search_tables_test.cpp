@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
 #include "io/text/content_hash.h"
+#include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
@@ -49,6 +51,32 @@ TEST_F(SearchesTest, AreExportsOfArchivesThatCannotBeRead) {
   lost.manifest = folder_ / "lost.manifest.json";
   EXPECT_EQ(names_of({lost, exported("run.sqlite", "seed = 1\n")}),
             (std::vector<std::string>{"run.manifest.json", "of seed = 1\n"}));
+}
+
+TEST_F(SearchesTest, ShowTheLineageOfTheConfirmedChampionIfAnExportHasIt) {
+  const Study study = tests::silicone_study();
+  tests::make_archive(folder_ / "run.sqlite", study, {std::string(27, '1'), std::string(26, '1') + "0"});
+  const std::string text = RunArchive::open_to_read(folder_ / "run.sqlite").study();
+  const CommandOutput evolved{.program = "menger-evolve",
+                              .folder = folder_.path(),
+                              .manifest = folder_ / "run.manifest.json",
+                              .name = "run.manifest.json"};
+  CommandOutput of_run = exported("run.sqlite", text);
+  of_run.folder = folder_.path();
+  std::ofstream(folder_ / "lineage.csv") << "generation,individual\n0,1\n";
+
+  SearchTables tables = read_search_tables(evolved, {evolved});
+  EXPECT_EQ(tables.lineage_of, "the fittest robot");
+  EXPECT_EQ(tables.lineage->number(0, "individual"), 0.0);
+
+  std::ofstream(folder_ / "generations.csv") << "generation\n0\n";
+  tables = read_search_tables(evolved, {evolved, of_run});
+  EXPECT_EQ(tables.lineage_of, "the champion");
+  EXPECT_EQ(tables.lineage->number(0, "individual"), 1.0);
+
+  std::ofstream(folder_ / "generations.csv") << "generation\n0\n1\n";
+  tables = read_search_tables(evolved, {evolved, of_run});
+  EXPECT_EQ(tables.lineage_of, "the fittest robot") << "the export is of other generations";
 }
 
 }  // namespace
