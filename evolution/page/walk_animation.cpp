@@ -172,10 +172,22 @@ class WalkPictures {
     return trail;
   }
 
+  /// ": 12.3 mm": how far a body has come; empty if it is not known.
+  [[nodiscard]] static std::string way_text(const PageBody& body, double time) {
+    if (body.travelled_m.size() != body.times.size()) return "";
+    const auto [frame, share] = place_in_time(body, time);
+    const std::size_t next = std::min(frame + 1, body.times.size() - 1);
+    const double way_m = body.travelled_m[frame] + share * (body.travelled_m[next] - body.travelled_m[frame]);
+    return ": " + io::formatted("%.1f mm", 1e3 * way_m);
+  }
+
   [[nodiscard]] std::string caption_of(double time, double bar_m) const {
     std::string text;
-    if (scene_.bodies.size() == 2) text = scene_.bodies[0].name + " behind, " + scene_.bodies[1].name + " in front, ";
-    if (scene_.bodies.size() == 1) text = scene_.bodies[0].name + ", ";
+    const std::vector<PageBody>& bodies = scene_.bodies;
+    if (bodies.size() == 2)
+      text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
+             way_text(bodies[1], time) + ", ";
+    if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
     text += io::formatted("%.2f s", time);
     if (pace_.slower > 1) text += ", shown " + std::to_string(pace_.slower) + " times slower";
     return text + ", bar " + io::shown(1e3 * bar_m) + " mm";

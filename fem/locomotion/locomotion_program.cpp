@@ -1,6 +1,7 @@
 #include "fem/locomotion/locomotion_program.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -65,7 +66,7 @@ void print(const LocomotionResult& result) {
     std::cout << "; moved " << io::shown(1e3 * travel->horizontal_displacement_m)
               << " mm = " << io::shown(travel->horizontal_displacement_body_lengths) << " body lengths ("
               << io::shown(travel->body_lengths_per_minute) << " per minute) towards "
-              << io::formatted("%.0f", travel->direction_deg) << " degrees from x";
+              << io::formatted("%.0f", std::round(travel->direction_deg) + 0.0) << " degrees from x";
   } else {
     std::cout << "; " << result.reason;
   }

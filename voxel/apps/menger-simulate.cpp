@@ -94,13 +94,14 @@ void print_check(const voxel::StepCheck& check, double body_length_m) {
   std::cout << "half the step, " << io::shown(check.time_step_s) << " s: " << io::to_string(check.status);
   if (check.displacement_m) {
     const double distance_m = meshes::horizontal_displacement(*check.displacement_m);
-    std::cout << ", " << io::duration_text(check.seconds) << "; moved " << io::shown(distance_m)
-              << " m = " << io::shown(distance_m / body_length_m) << " body lengths";
+    std::cout << ", " << io::duration_text(check.seconds) << "; moved " << io::shown(1e3 * distance_m)
+              << " mm = " << io::shown(distance_m / body_length_m) << " body lengths";
   } else {
     std::cout << ", " << check.reason;
   }
-  if (check.horizontal_change_m) std::cout << ", difference " << io::formatted("%+.3g", *check.horizontal_change_m) << " m";
-  std::cout << "; largest distance between the centres of mass: " << io::shown(check.largest_distance_m, 3) << " m, at "
+  if (check.horizontal_change_m)
+    std::cout << ", difference " << io::formatted("%+.3g", 1e3 * *check.horizontal_change_m) << " mm";
+  std::cout << "; largest distance between the centres of mass: " << io::shown(1e3 * check.largest_distance_m, 3) << " mm, at "
             << io::shown(check.largest_distance_time_s) << " s\n";
 }
 
@@ -110,7 +111,7 @@ void print_outcome(const voxel::SceneResult& result, const std::filesystem::path
             << io::shown(result.time_step_s) << " s, " << result.voxels << " voxels, " << io::duration_text(result.seconds);
   if (result.displacement_m) {
     const double distance_m = meshes::horizontal_displacement(*result.displacement_m);
-    std::cout << "; moved " << io::shown(distance_m) << " m = " << io::shown(distance_m / result.body_length_m)
+    std::cout << "; moved " << io::shown(1e3 * distance_m) << " mm = " << io::shown(distance_m / result.body_length_m)
               << " body lengths";
   } else {
     std::cout << "; " << result.reason;
