@@ -97,19 +97,36 @@ std::vector<Chamber> chambers_in(const io::CsvContents& curves) {
   return chambers;
 }
 
-/// The volume of all chambers, each where its pressure is the drive's, over that at rest; nothing if that was not reached.
-std::optional<double> growth_at(const std::vector<Chamber>& chambers, double pressure_Pa) {
+/// How chambers grow at a pressure, as multiples of their volumes at rest.
+struct Growth {
+  double whole = 0.0;  ///< of all together
+  double least = 0.0;  ///< of that which grows least
+  double most = 0.0;
+};
+
+/// The growth of chambers, each where its pressure is the drive's; nothing if that was not reached.
+std::optional<Growth> growth_at(const std::vector<Chamber>& chambers, double pressure_Pa) {
   constexpr double tolerance_Pa = 1.0;
   double at_rest_m3 = 0.0;
   double driven_m3 = 0.0;
+  std::vector<double> growths;
   for (const Chamber& chamber : chambers) {
     const auto reached = std::ranges::find_if(chamber.pressures_Pa,
                                               [&](double state_Pa) { return std::abs(state_Pa - pressure_Pa) <= tolerance_Pa; });
-    if (reached == chamber.pressures_Pa.end()) return std::nullopt;
+    if (reached == chamber.pressures_Pa.end() || !(chamber.volumes_m3.front() > 0.0)) return std::nullopt;
+    const double volume_m3 = chamber.volumes_m3[static_cast<std::size_t>(reached - chamber.pressures_Pa.begin())];
     at_rest_m3 += chamber.volumes_m3.front();
-    driven_m3 += chamber.volumes_m3[static_cast<std::size_t>(reached - chamber.pressures_Pa.begin())];
+    driven_m3 += volume_m3;
+    growths.push_back(volume_m3 / chamber.volumes_m3.front());
   }
-  return at_rest_m3 > 0.0 ? std::optional(driven_m3 / at_rest_m3) : std::nullopt;
+  if (growths.empty()) return std::nullopt;
+  const auto [least, most] = std::ranges::minmax(growths);
+  return Growth{.whole = driven_m3 / at_rest_m3, .least = least, .most = most};
+}
+
+/// "50 % more air", "7 % less air"
+std::string air_text(double growth) {
+  return io::formatted("%.0f", 100.0 * std::abs(growth - 1.0)) + (growth < 1.0 ? " % less air" : " % more air");
 }
 
 /// The pressure of the drive that is furthest from 0.
@@ -150,9 +167,11 @@ std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
   const double pressure_Pa = strongest_pressure_Pa(robot);
   const auto growth = growth_at(chambers_in(io::read_csv(results / "inflate/curves.csv")), pressure_Pa);
   if (!growth) return "";
-  return "at " + driven_text(robot, pressure_Pa) +
-         (robot.drive == meshes::RobotDrive::antiphase ? " these hold " : " it holds ") +
-         io::formatted("%.0f", 100.0 * std::abs(*growth - 1.0)) + (*growth < 1.0 ? " % less air" : " % more air");
+  if (robot.drive != meshes::RobotDrive::antiphase)
+    return "at " + kilopascals(pressure_Pa) + " it holds " + air_text(growth->whole);
+  const std::string least = air_text(growth->least);
+  const std::string most = air_text(growth->most);
+  return "at " + driven_text(robot, pressure_Pa) + " each of these holds " + (least == most ? least : least + " to " + most);
 }
 
 /// The limit pressure that the search for it found, in which all chambers have one pressure.
@@ -373,9 +392,10 @@ std::string shape_verdict(const ShapeErrors& errors) {
 /// The softest law in the record of a silicone, where it is softer than the robot's.
 struct SoftestLaw {
   std::string name;
-  double limit_Pa = 0.0;  ///< at which the body balloons by it
+  double limit_Pa = 0.0;  ///< at which the body may balloon by it
 };
 
+/// @param limit_Pa at which the body may balloon by the law of the robot
 std::optional<SoftestLaw> softest_law(const meshes::Robot& robot, double limit_Pa) {
   const std::vector<materials::SourcedLaw> others = other_laws_of(robot);
   if (others.empty()) return std::nullopt;
@@ -385,29 +405,35 @@ std::optional<SoftestLaw> softest_law(const meshes::Robot& robot, double limit_P
   return SoftestLaw{.name = meshes::named_law(softest), .limit_Pa = ratio * limit_Pa};
 }
 
-/// What is known of a drive whose limit pressure is known.
+/// What is known of a drive whose limit pressure is known. @param limit_Pa of thin walls, which the stages of the loop have
 std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
-  const double safe_Pa = meshes::largest_safe_share * limit_Pa;
-  const std::optional<SoftestLaw> softest = softest_law(robot, limit_Pa);
-  const bool is_near_softest = softest && drive_Pa > meshes::largest_safe_share * softest->limit_Pa;
-  const std::string by_softest = is_near_softest
-                                     ? " By the softest law of its silicone (" + softest->name + ") it balloons near " +
-                                           kilopascals(softest->limit_Pa) + ": test the silicone that you cast."
-                                     : "";
-  const std::string too_high = "These elements put limit pressures 6 to 12 % too high.";
-  const std::string lower = "lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less. " + too_high + by_softest;
+  const double least_Pa = meshes::least_limit_of_thin_walls_Pa(limit_Pa);
+  const double safe_Pa = meshes::largest_safe_share * least_Pa;
+  const std::optional<SoftestLaw> softest = softest_law(robot, least_Pa);
+  const double softest_safe_Pa = softest ? meshes::largest_safe_share * softest->limit_Pa : safe_Pa;
+  const std::string too_high = " These elements put limit pressures 6 to 12 % too high; 12 % are taken off here.";
+  std::string lower = "lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less";
+  if (softest)
+    lower += ", or to " + kilopascals(softest_safe_Pa) + " for the softest law of its silicone (" + softest->name + ")";
   if (drive_Pa > limit_Pa)
-    return "The body balloons at " + kilopascals(limit_Pa) + ", before it gets the pressure of its drive: " + lower;
-  if (drive_Pa > safe_Pa) return "The pressure is within " + percents(1.0 - drive_Pa / limit_Pa) + " of ballooning: " + lower;
-  if (softest && drive_Pa > softest->limit_Pa) {
-    return "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " + kilopascals(safe_Pa) +
-           " it is 20 % or more below ballooning), but not by the softest law of its silicone (" + softest->name +
-           "): by that it balloons near " + kilopascals(softest->limit_Pa) + ". " + too_high +
-           " Test the silicone that you cast.";
-  }
-  return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning. " + too_high +
-         by_softest;
+    return "The body balloons at " + kilopascals(limit_Pa) + ", before it gets the pressure of its drive: " + lower + "." +
+           too_high;
+  if (drive_Pa > safe_Pa)
+    return "The pressure of " + kilopascals(drive_Pa) + " is near that at which the body balloons, " + kilopascals(least_Pa) +
+           " to " + kilopascals(limit_Pa) + ": " + lower + "." + too_high;
+  if (drive_Pa <= softest_safe_Pa)
+    return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning." + too_high;
+  const std::string by_file = "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " +
+                              kilopascals(safe_Pa) + " it is 20 % or more below ballooning), but ";
+  const std::string of_softest = "the softest law of its silicone (" + softest->name + ")";
+  const std::string test =
+      " Test the silicone that you cast, or lower drive.pressure_Pa to " + kilopascals(softest_safe_Pa) + " or less.";
+  if (drive_Pa > softest->limit_Pa)
+    return by_file + "not by " + of_softest + ": by that it balloons near " + kilopascals(softest->limit_Pa) + "." + test +
+           too_high;
+  return by_file + "by " + of_softest + " it is near ballooning: " + percents(drive_Pa / softest->limit_Pa) + " of " +
+         kilopascals(softest->limit_Pa) + "." + test + too_high;
 }
 
 /// Whether the walls of chambers touch before a drive has come to its lowest pressure.
@@ -454,7 +480,7 @@ std::string elements_verdict(const fs::path& results, const meshes::Robot& robot
     const bool is_there =
         compared.text(row, "observable") == "volume_change" && std::abs(compared.number(row, "pressure_Pa") - drive_Pa) <= 1.0;
     if (!is_there || !grown) continue;
-    const double thin = *grown;
+    const double thin = grown->whole;
     const double quadratic = 1.0 + compared.number(row, "finite_elements");
     const double difference = std::abs(quadratic / thin - 1.0);
     if (difference <= same_growth) return "";
@@ -465,10 +491,12 @@ std::string elements_verdict(const fs::path& results, const meshes::Robot& robot
   return "";
 }
 
-std::string mesh_verdict(const Walk& coarser, const Walk& finer) {
+/// @param is_found whether a search has found the robot
+std::string mesh_verdict(const Walk& coarser, const Walk& finer, bool is_found) {
   if (!are_as_long(coarser, finer)) return "The walks of a coarser and a finer mesh last differently long and are not compared.";
   if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere)
-    return "On finite elements of a coarser and a finer mesh " + both(coarser, finer) + ".";
+    return "On finite elements of a coarser and a finer mesh " + both(coarser, finer) +
+           (is_found ? "; the search has found no walker: give it more generations or mutants ([search])." : ".");
   if (agree(coarser, finer))
     return "Finite elements of a coarser and a finer mesh agree on the walk: " + both(coarser, finer) + ".";
   return "How it walks is not known: finite elements of a coarser and a finer mesh give " + both(coarser, finer) +
@@ -510,7 +538,8 @@ std::string overdrive(const fs::path& results, const meshes::Robot& robot) {
 std::optional<double> softest_limit_Pa(const fs::path& results, const meshes::Robot& robot) {
   try {
     const auto limit_Pa = limit_pressure_Pa(results);
-    const std::optional<SoftestLaw> softest = limit_Pa ? softest_law(robot, *limit_Pa) : std::nullopt;
+    const std::optional<SoftestLaw> softest =
+        limit_Pa ? softest_law(robot, meshes::least_limit_of_thin_walls_Pa(*limit_Pa)) : std::nullopt;
     return softest ? std::optional(softest->limit_Pa) : std::nullopt;
   } catch (const io::InputError&) {
     return std::nullopt;
@@ -538,7 +567,7 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     const auto voxels = walk_of("simulate", "result.toml", "voxels");
     const auto elements = walk_of("locomote", "locomotion.toml", "finite elements");
     const auto finer = walk_of("locomote_finer", "locomotion.toml", "finite elements of the finer mesh");
-    if (elements && finer) add(mesh_verdict(*elements, *finer));
+    if (elements && finer) add(mesh_verdict(*elements, *finer, robot.evolves));
     const bool is_known = !elements || !finer || agree(*elements, *finer);
     if (voxels && !is_known)
       add("Whether the surrogate walks as finite elements do cannot be told, since they do not agree themselves; it moves " +

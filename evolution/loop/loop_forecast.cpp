@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "io/shown/shown_quantity.h"
+#include "io/study/installed_folders.h"
+#include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/joined_text.h"
 #include "materials/laws/hyperelastic_law.h"
@@ -58,6 +60,16 @@ std::string other_law_note(const meshes::Robot& robot) {
          " follows from this law; give it to compare laws at one pressure";
 }
 
+/// The names of the parameters that come with menger.
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const fs::path& file : io::data_files(io::parameter_data)) names.push_back(file.stem().string());
+  return names;
+}
+
+constexpr const char* measured_later =
+    "; the stage validate measures it on this very body. Distances that the surrogate walks cannot be trusted";
+
 /// Up to this frequency pneumatic robots of this size are driven.
 constexpr double usual_drives_Hz = 20.0;
 
@@ -89,12 +101,10 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   }
   if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
-      static_cast<void>(voxel::read_surrogate(file));  // says what is wrong
+      throw io::InputError(robot.file.string() + ": surrogate.parameters = \"" + robot.parameters->string() +
+                           "\": there is no such file; " + io::joined(known_names(), ", ") + " come with menger");
     for (const std::string& gap : gaps_of_fit(robot)) lines.push_back("warning: the fit will not cover this body: " + gap);
-    lines.emplace_back(
-        "expected error: not known before the fit; the stage validate measures it on this very body. Distances that the "
-        "surrogate "
-        "walks cannot be trusted");
+    lines.push_back("expected error: not known before the fit" + std::string(measured_later));
     return lines;
   }
   voxel::CalibratedBody body;
@@ -108,9 +118,12 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   } else {
     body.parameters = voxel::read_surrogate(file);
   }
-  if (const std::vector<std::string> others = meshes::other_subject_of(file, robot); !others.empty())
+  if (const std::vector<std::string> others = meshes::other_subject_of(file, robot); !others.empty()) {
     lines.push_back("warning: " + file.filename().string() +
                     " was fitted for something else (holds_for): " + io::joined(others, ", "));
+    lines.push_back("expected error: not known for this silicone and these cells" + std::string(measured_later));
+    return lines;
+  }
   body.pressure_Pa = drive_pressure_Pa(robot);
   body.chambers = robot.chambers;
   const voxel::KnownErrors known = voxel::known_errors(body.parameters, file);

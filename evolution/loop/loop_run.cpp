@@ -17,6 +17,7 @@
 #include "evolution/loop/loop_stages.h"
 #include "evolution/loop/loop_state.h"
 #include "evolution/loop/loop_verdict_file.h"
+#include "evolution/loop/robot_changes.h"
 #include "io/process/child_program.h"
 #include "io/process/exit_code.h"
 #include "io/process/file_lock.h"
@@ -132,6 +133,7 @@ class LoopRun {
   }
 
   int run() {
+    refuse_other_results();
     io::require_writable_folder(places_.results / "logs");
     const io::FileLock lock(places_.results / "loop");
     state_.emplace(places_.results / loop_state_name);
@@ -176,11 +178,26 @@ class LoopRun {
     return io::exit_code::done;
   }
 
+  /// Refuses a folder, named with -o, that has what the loop would replace and no loop has made.
+  void refuse_other_results() const {
+    if (request_.results.empty() || io::is_file(places_.results / loop_state_name)) return;
+    std::vector<std::string> names;
+    std::error_code error;
+    if (fs::exists(places_.results / "report.html", error)) names.emplace_back("report.html");
+    for (const LoopStage& stage : stages_)
+      if (fs::exists(places_.results / stage.name, error)) names.push_back(stage.name);
+    if (!names.empty())
+      throw io::InputError("-o " + shown(places_.results) + ": holds " + io::joined(names) +
+                           ", which no loop has made and this one would replace: name another folder, or remove them");
+  }
+
   void tell_plan() {
     out_ << meshes::summary_of(robot_) << "; results in " << shown(places_.results) << '\n';
     meshes::Robot body = robot_;
     meshes::take_champion(body, places_);
     for (const std::string& line : loop_forecast(body, places_)) out_ << line << '\n';
+    for (const std::string& change : robot_changes(places_.results / "manifest.json", io::described_text(robot_)))
+      out_ << "changed since the last run: " << change << '\n';
     out_ << std::flush;
   }
 

@@ -64,10 +64,17 @@ std::string share_text(double share) {
   return share < least_times ? io::percents(share) + " of" : io::shown(share, 2) + " times";
 }
 
+/// The share of its limit pressure up to which a body is safe.
+double safe_share(const InflationFacts& limited) {
+  const bool has_thin_walls = limited.stated.elements == "thin_wall";
+  return meshes::largest_safe_share * (has_thin_walls ? meshes::least_limit_of_thin_walls_Pa(1.0) : 1.0);
+}
+
 /// Pressures of other results of the body of an inflation.
 struct KnownPressures {
   std::optional<double> drive_Pa{};          ///< the highest of the drives of its walks
   std::optional<double> limit_Pa{};          ///< the lowest limit pressure of its inflations
+  double safe = meshes::largest_safe_share;  ///< see safe_share; of that inflation
   std::optional<double> softest_limit_Pa{};  ///< by the softest law of its silicone
 };
 
@@ -81,20 +88,22 @@ KnownPressures known_pressures(const ReportFacts& facts, const InflationFacts& i
   }
   for (const InflationFacts& other : facts.inflations) {
     if (!other.limit || (&other != &inflation && !are_of_one_body(other.stated, inflation.stated))) continue;
-    known.limit_Pa = std::min(known.limit_Pa.value_or(other.limit->pressure_Pa), other.limit->pressure_Pa);
+    if (known.limit_Pa && *known.limit_Pa <= other.limit->pressure_Pa) continue;
+    known.limit_Pa = other.limit->pressure_Pa;
+    known.safe = safe_share(other);
   }
   return known;
 }
 
-Tone tone_of_share(double share) {
+Tone tone_of_share(double share, double safe) {
   if (share > 1.0) return Tone::bad;
-  return share > meshes::largest_safe_share ? Tone::caution : Tone::good;
+  return share > safe ? Tone::caution : Tone::good;
 }
 
-/// What a share of the limit pressure means for a body.
-std::string meaning_of_share(double share) {
+/// What a share of the limit pressure means for a body. @param safe see safe_share
+std::string meaning_of_share(double share, double safe) {
   if (share > 1.0) return ": it balloons or buckles before";
-  return share > meshes::largest_safe_share ? ": a thin spot in a cast wall decides" : "";
+  return share > safe ? ": a thin spot in a cast wall decides" : "";
 }
 
 Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, const std::string& begin) {
@@ -102,19 +111,22 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
   Finding finding{Tone::caution, begin, facts.source};
   finding.text += "Balloons or buckles at " + io::kilopascals(limit_Pa) +
                   ": there the pressure stops rising while the volume grows (limit point). Up to " +
-                  io::kilopascals(meshes::largest_safe_share * limit_Pa) + " it is 20 % or more below that.";
+                  io::kilopascals(safe_share(facts) * limit_Pa) + " it is 20 % or more below that";
+  if (facts.stated.elements == "thin_wall")
+    finding.text +=
+        " and below what it may be: thin walls put limit pressures 6 to 12 % higher than three-field elements do (fem/README.md)";
+  finding.text += ".";
   if (known.drive_Pa) {
     const double share = *known.drive_Pa / limit_Pa;
-    finding.tone = tone_of_share(share);
+    finding.tone = tone_of_share(share, safe_share(facts));
     finding.text += " The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure" +
-                    meaning_of_share(share) + ".";
+                    meaning_of_share(share, safe_share(facts)) + ".";
   }
   if (known.drive_Pa && known.softest_limit_Pa && *known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa) {
     finding.tone = std::max(finding.tone, Tone::caution);
-    finding.text += " By the softest law of its silicone it balloons near " + io::kilopascals(*known.softest_limit_Pa) + ".";
+    finding.text += " By the softest law of its silicone it balloons near " + io::kilopascals(*known.softest_limit_Pa) +
+                    ", of which the drive is " + io::percents(*known.drive_Pa / *known.softest_limit_Pa) + ".";
   }
-  if (facts.stated.elements == "thin_wall")
-    finding.text += " Thin-wall elements give limit pressures 6 to 12 % higher than three-field elements (fem/README.md).";
   return finding;
 }
 
@@ -129,9 +141,9 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
     Finding finding{Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
     if (known.limit_Pa && facts.highest_pressure_Pa) {
       const double share = *facts.highest_pressure_Pa / *known.limit_Pa;
-      finding.tone = tone_of_share(share);
+      finding.tone = tone_of_share(share, known.safe);
       finding.text += " " + reached + " is " + share_text(share) + " the limit pressure, " + io::kilopascals(*known.limit_Pa) +
-                      (share > 1.0 ? "" : meaning_of_share(share)) + ".";
+                      (share > 1.0 ? "" : meaning_of_share(share, known.safe)) + ".";
     }
     return finding;
   }
@@ -559,11 +571,11 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   if (one.limit) {
     const std::string limit = io::kilopascals(one.limit->pressure_Pa) + ", where the body balloons or buckles";
     const double share = known.drive_Pa.value_or(0.0) / one.limit->pressure_Pa;
-    if (share > meshes::largest_safe_share)
+    const double safe = safe_share(one);
+    if (share > safe)
       return "The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure of " + limit +
-             (share > 1.0 ? "." : meaning_of_share(share) + ".") + " ";
-    return "Usable up to " + io::kilopascals(meshes::largest_safe_share * one.limit->pressure_Pa) + ", 20 % below " + limit +
-           ". ";
+             (share > 1.0 ? "." : meaning_of_share(share, safe) + ".") + " ";
+    return "Usable up to " + io::kilopascals(safe * one.limit->pressure_Pa) + ", 20 % or more below " + limit + ". ";
   }
   if (!one.highest_pressure_Pa) return {};
   const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
@@ -699,7 +711,9 @@ std::vector<std::string> judging_words() {
           ", and not above " + io::percents(judged_by::usable_error) + ". Those of one body, such as a robot in a loop, up to " +
           io::percents(meshes::largest_shape_error) + ", if no displacement goes the wrong way.",
       "A pressure is safe up to " + io::percents(meshes::largest_safe_share) +
-          " of the limit pressure; above, small faults of a cast wall decide.",
+          " of the limit pressure, of thin walls, which put it up to 12 % too high, up to " +
+          io::percents(meshes::largest_safe_share * meshes::least_limit_of_thin_walls_Pa(1.0)) +
+          "; above, small faults of a cast wall decide.",
       "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
           " body lengths is none. Two walks, of both models or of two meshes, agree if neither is more than " +
           io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +

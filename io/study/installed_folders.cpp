@@ -33,13 +33,13 @@ std::vector<fs::path> data_files(std::string_view name) {
 
 fs::path file_or_data(const TomlTable& table, std::string_view key, std::string_view folder) {
   const std::string name = table.text(key);
-  const bool is_path = name.empty() || name.find('/') != std::string::npos || name.ends_with(".toml");
-  if (is_path || is_file(table.path(key))) return table.path(key);
+  if (name.empty() || name.find('/') != std::string::npos || is_file(table.path(key))) return table.path(key);
   std::vector<std::string> known;
   for (fs::path& file : data_files(folder)) {
     known.push_back(file.stem().string());
-    if (known.back() == name) return std::move(file);
+    if (known.back() == name || file.filename() == name) return std::move(file);
   }
+  if (name.ends_with(".toml")) return table.path(key);
   if (known.empty())
     throw table.error(key, "is no file (.toml), and those of menger are missing in " + data_folder(folder).string());
   throw table.error(key, "is neither a file (.toml) nor one of " + joined(known));

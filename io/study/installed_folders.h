@@ -24,8 +24,8 @@ std::filesystem::path data_folder(std::string_view name);
 /// Returns the files (.toml) of a data folder, by name; none if it is not there.
 std::vector<std::filesystem::path> data_files(std::string_view name);
 
-/// Returns the file that a text of a table names: a path, counted from the file of the table, if it has a "/", ends in .toml or
-/// is a file, else the data file of that name, such as "dragon_skin_10".
+/// Returns the file that a text of a table names: a path, counted from the file of the table, if it has a "/" or is a file, else
+/// the data file of that name, such as "dragon_skin_10" or "dragon_skin_10.toml". Another text that ends in .toml is a path, too.
 /// @param folder name of the data folder
 /// @throws InputError naming the key and the data files that there are, if there is none of that name
 std::filesystem::path file_or_data(const TomlTable& table, std::string_view key, std::string_view folder);

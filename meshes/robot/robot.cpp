@@ -121,14 +121,14 @@ std::string law_summary_of(const Robot& robot) {
   const std::vector<materials::SourcedLaw> others = other_laws_of(robot);
   if (others.empty()) return text + "; the record has no other law";
   const auto times = [&](const materials::SourcedLaw& law) {
-    return io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa) + " times as much (" +
-           named_law(law) + "; " + keys_of(law, robot.record) + ")";
+    const std::string ratio = io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa);
+    return (ratio == "1" ? "as much (" : ratio + " times as much (") + named_law(law) + "; " + keys_of(law, robot.record) + ")";
   };
   const auto [softest, stiffest] = materials::softest_and_stiffest(others);
   const bool is_one = others.size() == 1;
   text += (is_one ? "; the other law of the record has " : "; the other laws of the record have ") + times(softest);
   if (!is_one) text += " to " + times(stiffest);
-  return text + ". The pressure that a body bears goes nearly with it; keys in brackets are those of robot.toml";
+  return text + ". The pressure that a body bears goes nearly with it; law_name and law_variant are keys of robot.toml";
 }
 
 std::size_t chamber_count(const Robot& robot) { return ModularBody(robot.design.body, 1, robot.chambers).regions().size(); }

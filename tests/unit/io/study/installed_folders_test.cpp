@@ -29,10 +29,12 @@ TEST(InstalledFolders, DataFilesAreSortedAndThere) {
 TEST(InstalledFolders, NameIsThatOfADataFile) {
   EXPECT_EQ(named("dragon_skin_10_1cm"), data_folder(parameter_data) / "dragon_skin_10_1cm.toml");
   EXPECT_EQ(named("dragon_skin_10_0.667cm"), data_folder(parameter_data) / "dragon_skin_10_0.667cm.toml") << "no suffix";
+  EXPECT_EQ(named("dragon_skin_10_1cm.toml"), data_folder(parameter_data) / "dragon_skin_10_1cm.toml")
+      << "as programs print it, and there is no such file beside the table";
 }
 
 TEST(InstalledFolders, PathCountsFromTheFileOfItsTable) {
-  EXPECT_EQ(named("dragon_skin_10_1cm.toml"), fs::path("folder/dragon_skin_10_1cm.toml"));
+  EXPECT_EQ(named("my_fit.toml"), fs::path("folder/my_fit.toml"));
   EXPECT_EQ(named("fits/bar"), fs::path("folder/fits/bar"));
   EXPECT_EQ(named("/fits/bar.toml"), fs::path("/fits/bar.toml"));
 }

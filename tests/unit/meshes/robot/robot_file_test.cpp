@@ -55,7 +55,7 @@ TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
             "law: initial shear modulus 39.4 kPa (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75); the "
             "other laws of the record have 0.37 times as much (ogden1, Soft Robotics Materials Database; law_name = "
             "\"ogden1\") to 0.86 times as much (yeoh, BJCaasenbrood/SorotokiCode; law_name = \"yeoh\" with law_variant = 2). The "
-            "pressure that a body bears goes nearly with it; keys in brackets are those of robot.toml");
+            "pressure that a body bears goes nearly with it; law_name and law_variant are keys of robot.toml");
   Robot robot = read_text(folder, table);
   robot.record.others.resize(1);
   EXPECT_NE(law_summary_of(robot).find("; the other law of the record has 0.37 times as much (ogden1"), std::string::npos);

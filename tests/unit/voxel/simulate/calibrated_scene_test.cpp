@@ -183,7 +183,7 @@ TEST_F(CalibratedScene, RefusesBadUseOfParameters) {
 TEST_F(CalibratedScene, RefusesWhatLeavesTheRangeOfValidityUnlessToldToWarn) {
   const std::string strong = "mode = \"in_phase\"\npressure_Pa = [0, 2500]\n";
   expect_refused(bar + use + "[drive]\n" + strong,
-                 "pressure_Pa = 2500 is outside the range of the fit for such a body, -2 to 2 kPa");
+                 "pressure_Pa = 2500 is outside the range of the fit for such a body, -2000 to 2000 Pa");
   Scene scene = load(bar + use + "outside_range = \"warn\"\n[drive]\n" + strong).scene;
   scene.duration_s = 0.01;
   scene.record_interval_s = 0.01;
@@ -200,7 +200,7 @@ TEST_F(CalibratedScene, TellsTheRangeOfPressuresInFewDigits) {
   parameters.validity.highest_pressure_Pa.fill(1277.441139158422);
   write(parameters);
   expect_refused(bar + use + "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 2500]\n",
-                 "-2 to 1.277 kPa; its end is that of voxels with ");
+                 "-2000 to 1277 Pa; its end is that of voxels with ");
 }
 
 TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
