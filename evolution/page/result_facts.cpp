@@ -14,6 +14,7 @@
 #include "io/text/is_file.h"
 #include "io/text/run_status_words.h"
 #include "io/text/toml_document.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -212,6 +213,9 @@ SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandO
     evaluations += number_in(generations, row, "evaluations").value_or(0.0);
   }
   facts.evaluations = evaluations;
+  if (facts.unit == "body lengths" && facts.last_fitness)
+    facts.is_walk = *facts.last_fitness * tables.periods_in_walk.value_or(1.0) >= meshes::walk_limits::least_body_lengths;
+  if (tables.periods_in_walk) facts.unit += " in a period of the drive";
   return facts;
 }
 

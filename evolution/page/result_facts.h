@@ -114,6 +114,7 @@ struct SearchFacts {
   std::optional<double> last_fitness{};   ///< the best in it
   std::string unit{};                     ///< of the fitness, for people
   std::optional<double> evaluations{};
+  bool is_walk = true;  ///< whether the last fitness is that of a walk, see meshes::walk_limits; true where it is not known
 };
 
 /// What natural frequencies say.

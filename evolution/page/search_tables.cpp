@@ -48,12 +48,14 @@ std::optional<io::CsvContents> lineage_of_export(const std::string& study_hash, 
 SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<CommandOutput>& outputs) {
   const fs::path file = archive_of(evolved);
   const RunArchive archive = RunArchive::open_to_read(file);
-  const RunView run = view_of(archive, archived_study(archive));
+  const Study study = archived_study(archive);
+  const RunView run = view_of(archive, study);
   const auto last = archive.last_generation();
   if (!last) throw io::InputError(file.string() + ": has no finished generation");
   SearchTables tables{.source = file_of(evolved, file.filename().string()),
                       .generations = io::parse_csv(generations_table(run).text(), file),
                       .lineage = std::nullopt};
+  if (const auto measured = measured_periods(study)) tables.periods_in_walk = study.duration_s / measured->period_s;
   tables.lineage = lineage_of_export(io::content_hash(archive.study()), tables.generations.row_count(), outputs);
   if (tables.lineage) return tables;
   tables.lineage_of = "the fittest robot";

@@ -15,6 +15,9 @@ struct SearchTables {
   io::CsvContents generations;
   std::optional<io::CsvContents> lineage;  ///< of the robot below, if a design has a fitness
   std::string lineage_of = "the champion";
+  /// How many periods a walk lasts, where the fitness is the displacement in one of them; none where it is that of the whole
+  /// walk, or an export does not say.
+  std::optional<double> periods_in_walk{};
 };
 
 /// Reads the tables of a search: those that menger export wrote, or those of the archive that menger evolve wrote. Which robot is

@@ -446,7 +446,8 @@ Finding search_finding(const SearchFacts& facts, bool several) {
   text += ".";
   const bool improved = facts.first_fitness && *facts.last_fitness > *facts.first_fitness;
   if (!improved && facts.generations > 1) text += " It did not improve.";
-  return {improved || facts.generations <= 1 ? Tone::good : Tone::caution, text, facts.source};
+  if (!facts.is_walk) text += " That is no walk: give the search more generations or mutants.";
+  return {facts.is_walk && (improved || facts.generations <= 1) ? Tone::good : Tone::caution, text, facts.source};
 }
 
 Finding modes_finding(const ModesFacts& facts) {

@@ -65,7 +65,10 @@ std::optional<double> along_of_scenarios(const SearchPlan& plan, const KnownResu
   return *place == failed ? std::nullopt : std::optional(*place);
 }
 
-std::string unit_text(const Study& study) { return study.search.objective == Objective::body_lengths ? "BL" : "m2"; }
+std::string unit_text(const Study& study) {
+  const std::string unit = study.search.objective == Objective::body_lengths ? "body lengths" : "m2";
+  return unit + (study.measure == Measure::last_periods ? " in a period" : "");
+}
 
 /// Returns the walks of a robot that are the first ones of several robots'.
 std::span<const Confirmation> first_robot(std::span<const Confirmation> confirmed) {

@@ -439,6 +439,9 @@ TEST(Verdict, SaysWhetherASearchImproved) {
   EXPECT_EQ(verdict_of(facts).headline,
             "The best robot of the search has a fitness of 0.622 body lengths. Nothing here compares its model with finite "
             "elements.");
+  facts.searches.front().is_walk = false;
+  EXPECT_EQ(finding_with(verdict_of(facts), "That is no walk: give the search more generations or mutants.").tone, Tone::caution);
+  facts.searches.front().is_walk = true;
   facts.searches.front().last_fitness = 0.278;
   EXPECT_EQ(finding_with(verdict_of(facts), "It did not improve.").tone, Tone::caution);
   facts.searches.push_back(facts.searches.front());
