@@ -43,6 +43,7 @@ struct ErrorFact {
   std::size_t count = 0;
   std::size_t without_equilibrium = 0;
   std::optional<double> median{};
+  std::optional<double> percentile_90{};
   std::optional<double> worst{};
   std::string worst_body{};
 };

@@ -1,6 +1,7 @@
 #include "evolution/page/verdict.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -478,6 +479,19 @@ struct WalkTrust {
   std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
 };
 
+/// A median error that is more than this times the expected one is told.
+constexpr double much_more = 1.5;
+
+/// The median error in a line of voxel::expected_error_text: "expected error for a block: 9.3 % in displacement ..."
+std::optional<double> expected_displacement_error(const std::string& line) {
+  const std::size_t end = line.find(" % in displacement");
+  if (end == std::string::npos) return std::nullopt;
+  const std::size_t begin = line.rfind(' ', end - 1) + 1;
+  double percents = 0.0;
+  const auto [rest, fault] = std::from_chars(line.data() + begin, line.data() + end, percents);
+  return fault == std::errc() && rest == line.data() + end ? std::optional(0.01 * percents) : std::nullopt;
+}
+
 /// Adds what the surrogate of a walk is expected to be off, beside what was measured on one body. Where no other body is known,
 /// the expected error is that measured one, which has a finding of its own.
 void add_expected_errors(const WalkFacts& walk, const std::vector<ValidationFacts>& validations, const std::string& begin,
@@ -490,8 +504,15 @@ void add_expected_errors(const WalkFacts& walk, const std::vector<ValidationFact
     if (is_measured && line.starts_with("expected error")) {
       const ValidationFacts& own = validations.front();
       finding.text += " Measured on this body: " + io::percents(*own.displacement.median) + " in displacement";
+      if (own.displacement.percentile_90)
+        finding.text += " (one displacement in ten by more than " + io::percents(*own.displacement.percentile_90) + ")";
       if (own.volume.median) finding.text += " and " + io::percents(*own.volume.median) + " in chamber volume";
       finding.text += ".";
+      const auto expected = expected_displacement_error(line);
+      if (expected && *own.displacement.median > much_more * *expected) {
+        finding.text += " This body is further off than others of its kind.";
+        finding.tone = Tone::bad;
+      }
       finding.source += ", " + own.source;
     }
     findings.push_back(std::move(finding));

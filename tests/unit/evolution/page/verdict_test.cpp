@@ -258,7 +258,18 @@ TEST(Verdict, PutsTheMeasuredErrorBesideTheExpectedOne) {
   facts.validations = {
       {.source = "validate/summary.csv", .bodies = 1, .displacement = {.count = 30, .median = 0.26}, .volume = {.median = 0.05}}};
   const Finding finding = finding_with(verdict_of(facts), "Expected error for a block");
-  EXPECT_TRUE(finding.text.ends_with(" Measured on this body: 26 % in displacement and 5 % in chamber volume.")) << finding.text;
+  EXPECT_TRUE(
+      finding.text.ends_with(" Measured on this body: 26 % in displacement and 5 % in chamber volume. This body is further "
+                             "off than others of its kind."))
+      << finding.text;
+  EXPECT_EQ(finding.tone, Tone::bad);
+  facts.validations[0].displacement = {.count = 30, .median = 0.1, .percentile_90 = 1.05};
+  const Finding alike = finding_with(verdict_of(facts), "Expected error for a block");
+  EXPECT_TRUE(alike.text.ends_with(
+      " Measured on this body: 10 % in displacement (one displacement in ten by more than 105 %) and 5 % in chamber volume."))
+      << alike.text;
+  EXPECT_EQ(alike.tone, Tone::caution);
+  facts.validations[0].displacement = {.count = 30, .median = 0.26};
   EXPECT_TRUE(finding.source.ends_with(", validate/summary.csv")) << finding.source;
   EXPECT_EQ(finding_with(verdict_of(facts), "Warning: 10 of 248").text.find("Measured"), std::string::npos);
   // After a fit the only body of its kind is the robot itself.
