@@ -28,9 +28,24 @@ std::string key_text(std::string_view key) {
   return !key.empty() && std::all_of(key.begin(), key.end(), is_plain) ? std::string(key) : toml_quoted(key);
 }
 
+std::string value_text(const toml::node& node);
+
+/// "[0, 2500]"; "[...]" for what is long or holds tables.
+std::string array_text(const toml::array& array) {
+  constexpr std::size_t longest = 60;
+  const std::string left_out = "[...]";
+  std::string text = "[";
+  for (const toml::node& value : array) {
+    if (value.is_table()) return left_out;
+    text += (text.size() > 1 ? ", " : "") + value_text(value);
+    if (text.size() > longest) return left_out;
+  }
+  return text + "]";
+}
+
 std::string value_text(const toml::node& node) {
   if (node.is_table()) return "{...}";
-  if (node.is_array()) return "[...]";
+  if (const auto* array = node.as_array()) return array_text(*array);
   if (const auto* string = node.as_string()) return toml_quoted(string->get());
   if (const auto* number = node.as_floating_point()) return float_text(number->get());
   std::ostringstream text;

@@ -184,7 +184,7 @@ TEST(StudyReader, KeepsEveryDigitOfIntegers) {
   EXPECT_EQ(read_seeds("seeds = [" + list + "]").seeds, large);
   const auto refusal = [&](const std::string& text) { return tests::message_of([&] { (void)read_seeds(text); }); };
   EXPECT_EQ(refusal("seeds = [1, 2.0]"), "seeds.toml:1: seeds[2] = 2.0: must be an integer");
-  EXPECT_EQ(refusal("seeds = []"), "seeds.toml:1: seeds = [...]: needs at least one of its integers");
+  EXPECT_EQ(refusal("seeds = []"), "seeds.toml:1: seeds = []: needs at least one of its integers");
   EXPECT_EQ(refusal("seeds = [1]\nsmall = [255, 256]"), "seeds.toml:2: small[2] = 256: must be at most 255");
   EXPECT_EQ(refusal("seeds = [1]\nsmall = [0]"), "seeds.toml:2: small[1] = 0: must be >= 1");
 }

@@ -143,7 +143,7 @@ TEST(TomlTable, RefusesAWrongType) {
   EXPECT_EQ(wrong("1", [](const TomlTable& t) { return t.table("a"); }), " = 1: must be a table");
   EXPECT_EQ(wrong("[1]", [](const TomlTable& t) { return t.tables("a"); }), "[1] = 1: must be a table");
   EXPECT_EQ(wrong("{}", [](const TomlTable& t) { return t.tables("a"); }), " = {...}: must be an array of tables");
-  EXPECT_EQ(wrong("[]", [](const TomlTable& t) { return t.tables("a"); }), " = [...]: needs at least one table");
+  EXPECT_EQ(wrong("[]", [](const TomlTable& t) { return t.tables("a"); }), " = []: needs at least one table");
 }
 
 TEST(TomlTable, RefusesNanAndInfinity) {

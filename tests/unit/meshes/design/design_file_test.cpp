@@ -104,19 +104,20 @@ TEST(DesignFile, RefusesRaggedRowsAndLayers) {
   EXPECT_EQ(refusal_of_layers("[[\"10\"],\n[\"1\"]]"),
             place(4) + "layers[2][1] = \"1\": must have 2 digits, as in the first row");
   EXPECT_EQ(refusal_of_layers("[[\"10\"],\n[\"10\", \"10\"]]"),
-            place(4) + "layers[2] = [...]: has 2 rows where the first layer has 1");
+            place(4) + "layers[2] = [\"10\", \"10\"]: has 2 rows where the first layer has 1");
 }
 
 TEST(DesignFile, RefusesAnEmptyDesign) {
-  EXPECT_EQ(refusal_of_layers("[[\"00\"]]"), place(3) + "layers = [...]: the body is empty: at least one digit must be 1 or 2");
+  EXPECT_EQ(refusal_of_layers("[[\"00\"]]"),
+            place(3) + "layers = [[\"00\"]]: the body is empty: at least one digit must be 1 or 2");
   for (const char* layers : {"[]", "[[]]", "[[\"\"]]"}) {
-    EXPECT_EQ(refusal_of_layers(layers), place(3) + "layers = [...]: must hold at least one cell") << layers;
+    EXPECT_EQ(refusal_of_layers(layers), place(3) + "layers = " + layers + ": must hold at least one cell") << layers;
   }
 }
 
 TEST(DesignFile, RefusesAnAbsurdSize) {
   EXPECT_EQ(refusal_of_layers("[[\"" + std::string(1001, '1') + "\"]]"),
-            place(3) + "layers = [...]: must not have more than 1000 cells along an axis");
+            place(3) + "layers = [[...]]: must not have more than 1000 cells along an axis");
 }
 
 TEST(DesignFile, RefusesMissingKeysAndWrongTypes) {

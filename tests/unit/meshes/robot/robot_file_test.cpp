@@ -135,7 +135,7 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   };
   expect_body("layers = [[\"1\"]]\ncell_edge_m = 12\n", "cell_edge_m = 12: is more than 0.5 m: lengths are in metres");
   expect_body("layers = [[\"1\"]]\ncell_edge_m = \"12mm\"\n", "cell_edge_m = \"12mm\": must be a number (metres)");
-  expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [...]: the body is in 2 parts");
+  expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [[\"101\"]]: the body is in 2 parts");
   expect_body("layers = [[\"11011111\"]]\ncell_edge_m = 0.01\n",
               ": cells (0, 0, 0), (1, 0, 0) are not joined to the largest part");
   expect_body("layers = [[\"10101010111\"]]\ncell_edge_m = 0.01\n", ", (6, 0, 0) are not joined");

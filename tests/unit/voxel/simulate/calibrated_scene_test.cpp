@@ -95,7 +95,7 @@ TEST_F(CalibratedScene, RefusesKeysThatItsParametersDecide) {
   expect_refused(scene + "[integration]\nbond_damping = \"semi-implicit\"\n", contradiction);
   expect_refused(scene + "[ground]\nstop_rotation = true\n",
                  "belongs to a body without [surrogate]; with [surrogate] the body stands on the feet");
-  expect_refused(bar + in_phase, "drive.pressure_Pa = [...]: belongs to [surrogate]");
+  expect_refused(bar + in_phase, "drive.pressure_Pa = [-500, 1500]: belongs to [surrogate]");
 }
 
 TEST_F(CalibratedScene, RefusesParametersOfAnotherBodyNamingBothNumbers) {
@@ -172,11 +172,11 @@ TEST_F(CalibratedScene, RefusesStiffnessBeyondAllScales) {
 TEST_F(CalibratedScene, RefusesBadUseOfParameters) {
   const auto surrogate = [](const std::string& keys) { return bar + use + keys; };
   expect_refused(surrogate(""), "drive.pressure_Pa is missing");
-  expect_refused(surrogate("[drive]\npressure_Pa = [1]\n"), "drive.pressure_Pa = [...]: must be two numbers, not 1");
+  expect_refused(surrogate("[drive]\npressure_Pa = [1]\n"), "drive.pressure_Pa = [1]: must be two numbers, not 1");
   expect_refused(surrogate("[drive]\npressure_Pa = [2, 1]\n"), "must ascend");
   expect_refused(surrogate("range = 3\n" + in_phase), "surrogate.range: unknown key");
   expect_refused(surrogate("outside_range = \"ignore\"\n" + in_phase), "\"refuse\" | \"warn\"");
-  expect_refused(surrogate("pressure_Pa = [0, 1]\n"), "surrogate.pressure_Pa = [...]: is called drive.pressure_Pa now");
+  expect_refused(surrogate("pressure_Pa = [0, 1]\n"), "surrogate.pressure_Pa = [0, 1]: is called drive.pressure_Pa now");
   expect_refused(bar + "[surrogate]\n" + in_phase, "surrogate.parameters or values is missing");
 }
 
