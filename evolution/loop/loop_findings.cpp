@@ -222,6 +222,13 @@ std::string calibrate_text(const fs::path& results) {
   return "the fit misses its curves by " + percents(std::sqrt(squares / static_cast<double>(curves.row_count()))) + " (RMS)";
 }
 
+/// A displacement of a body that the surrogate misses.
+struct MissedDisplacement {
+  double difference_m = 0.0;
+  std::string observable;  ///< for people
+  double error = 0.0;      ///< of the largest value in its curve
+};
+
 /// What the validation found of the robot itself.
 struct ShapeErrors {
   /// Medians inside the range of the parameters, or outside if nothing lies inside.
@@ -230,6 +237,9 @@ struct ShapeErrors {
   bool is_inside = true;
   std::optional<double> displacement_beyond{};         ///< the median outside, where others lie inside
   std::optional<double> displacement_percentile_90{};  ///< inside, or outside if nothing lies inside
+  std::optional<double> displacement_m{};              ///< likewise: the median in lengths
+  std::optional<MissedDisplacement> worst{};           ///< likewise: of the largest error
+  std::optional<MissedDisplacement> furthest{};        ///< likewise: of the largest difference
   std::size_t signs = 0;
   std::size_t wrong_signs = 0;
   std::vector<std::string> wrong_ways{};  ///< the displacements with a wrong sign, for people
@@ -246,13 +256,25 @@ std::string named_displacement(const std::string& observable) {
 std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   if (!io::is_file(results / "validate/summary.csv")) return std::nullopt;
   const io::CsvContents summary = io::read_csv(results / "validate/summary.csv");
-  const auto number = [&](const std::string& range, const std::string& kind, const std::string& column) {
-    std::optional<double> found;
+  const auto row_of = [&](const std::string& range, const std::string& kind) {
+    std::optional<std::size_t> found;
     for (std::size_t row = 0; row < summary.row_count(); ++row) {
       if (summary.text(row, "body") == "all" && summary.text(row, "range") == range && summary.text(row, "kind") == kind)
-        found = summary.optional_number(row, column);
+        found = row;
     }
     return found;
+  };
+  const auto number = [&](const std::string& range, const std::string& kind, const std::string& column) {
+    const auto row = row_of(range, kind);
+    return row ? summary.optional_number(*row, column) : std::nullopt;
+  };
+  const auto missed = [&](const std::string& range, const std::string& what, const std::string& error) {
+    const auto row = row_of(range, "displacement");
+    const auto difference_m = row ? summary.optional_number(*row, what + "_m") : std::nullopt;
+    if (!difference_m) return std::optional<MissedDisplacement>();
+    return std::optional(MissedDisplacement{.difference_m = *difference_m,
+                                            .observable = named_displacement(summary.text(*row, what + "_observable")),
+                                            .error = summary.number(*row, error)});
   };
   const auto median = [&](const std::string& range, const std::string& kind) { return number(range, kind, "median"); };
   ShapeErrors errors;
@@ -260,6 +282,11 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
     errors.displacement = median(range, "displacement");
     errors.volume = median(range, "volume");
     if (summary.has("percentile_90")) errors.displacement_percentile_90 = number(range, "displacement", "percentile_90");
+    if (summary.has("furthest_m")) {  // none in results of earlier versions
+      errors.displacement_m = number(range, "displacement", "median_m");
+      errors.worst = missed(range, "worst", "worst");
+      errors.furthest = missed(range, "furthest", "furthest_error");
+    }
     errors.is_inside = range == "inside";
     if (errors.displacement || errors.volume) break;
   }
@@ -279,6 +306,26 @@ std::string range_text(const ShapeErrors& errors) {
   return errors.displacement_beyond ? ", and " + percents(*errors.displacement_beyond) +
                                           " in displacements outside what the fit of the parameters covers"
                                     : "";
+}
+
+/// "37 %", and how much that is in millimetres where this is known: "37 % (0.68 mm)"
+std::string median_text(const ShapeErrors& errors) {
+  return percents(*errors.displacement) + (errors.displacement_m ? " (" + millimetres(*errors.displacement_m, 2) + ")" : "");
+}
+
+/// ", furthest in the height of the top (2.07 mm, 25 % of its largest value)"; empty where this is not known
+std::string furthest_text(const ShapeErrors& errors) {
+  if (!errors.furthest) return "";
+  return ", furthest in " + errors.furthest->observable + " (" + millimetres(errors.furthest->difference_m) + ", " +
+         percents(errors.furthest->error) + " of its largest value)";
+}
+
+/// How much the largest error is in millimetres, where it is not that of the displacement which is furthest off.
+std::string worst_text(const ShapeErrors& errors) {
+  const bool is_another = errors.worst && errors.furthest && errors.worst->difference_m < errors.furthest->difference_m;
+  return is_another ? " of its largest value, up to " + percents(errors.worst->error) + " or " +
+                          millimetres(errors.worst->difference_m) + " of " + errors.worst->observable
+                    : "";
 }
 
 /// "6 of 36 displacements go the wrong way (the extent along y)"
@@ -302,13 +349,13 @@ std::string validate_text(const fs::path& results, const meshes::Robot& robot) {
   if (!errors->displacement && !errors->volume) return "the voxels have no equilibrium where they were compared";
   std::string text = robot.drive == meshes::RobotDrive::antiphase ? "shape of this very body, all chambers at one pressure: "
                                                                   : "shape of this very body: ";
-  if (errors->displacement) text += percents(*errors->displacement) + " off in displacements";
+  if (errors->displacement) text += median_text(*errors) + " off in displacements";
   if (errors->volume) text += (errors->displacement ? ", " : "") + percents(*errors->volume) + " in chamber volume";
   text += " (medians)";
-  text += range_text(*errors);
+  text += furthest_text(*errors) + range_text(*errors);
   constexpr double far_above = 3.0;
   if (const auto& most = errors->displacement_percentile_90; most && *most > far_above * errors->displacement.value_or(0.0))
-    text += "; one displacement in ten is off by more than " + percents(*most);
+    text += "; one displacement in ten is off by more than " + percents(*most) + worst_text(*errors);
   if (errors->wrong_signs > 0) text += "; " + wrong_way_text(*errors);
   const std::string end = line_of(results / "logs/validate.txt", "note: robot_inflation: the surrogate ends after ");
   if (!end.empty()) text += "; " + end.substr(end.find("the surrogate"));
@@ -384,7 +431,7 @@ std::string shape_verdict(const ShapeErrors& errors) {
   const double worse = std::max(*errors.displacement, errors.displacement_beyond.value_or(0.0));
   if (worse <= meshes::largest_shape_error && errors.wrong_signs == 0 && errors.is_inside)
     return "The surrogate takes the shape of this body well.";
-  std::string reasons = "its shape is " + percents(*errors.displacement) + " off in the median" + range_text(errors);
+  std::string reasons = "its shape is " + median_text(errors) + " off in the median" + furthest_text(errors) + range_text(errors);
   if (errors.wrong_signs > 0) reasons += "; " + wrong_way_text(errors);
   return "Do not trust the surrogate for this body: " + reasons + "; see validate/worst.png.";
 }

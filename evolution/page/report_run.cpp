@@ -86,7 +86,7 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
     const bool is_beyond = inflation != inflations.end() && inflation->limit;
     caption = std::string("The body, cut open, at the end of its inflation") +
               (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
-              ". Thin lines: the body at rest.";
+              ". Thin lines: the body at rest, grey where it was cut away.";
   } else if (name == "robot.png" && command_of(output) == "simulate") {
     caption = "The body of voxels at the end of its walk, with the path of its centre.";
   } else if (name == "robot.png") {
@@ -96,7 +96,7 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
   } else if (name == "winner/strip.png") {
     caption = "The best robot of the re-evaluation, at several times of its walk.";
   } else if (name == "worst.png") {
-    caption = "The state in which the surrogate is furthest off.";
+    caption = "The state in which the surrogate is furthest off, in millimetres over the length of the body.";
   } else {
     caption = "Shapes of the robot in both models, over the pressure.";
   }

@@ -298,6 +298,11 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file)
                               "nine in ten are below (%)", "worst (%)", "worst case"},
                   .rows = {},
                   .note = "More columns: " + file + "."};
+  const bool has_lengths = summary.has("furthest_m");  // not in results of earlier versions
+  if (has_lengths) {
+    table.columns.insert(table.columns.end(), {"furthest off (mm)", "in"});
+    table.note += " Furthest off is the largest difference over the length of a body.";
+  }
   for (std::size_t row = 0; row < summary.row_count(); ++row) {
     const std::string body = text_in(summary, row, "body");
     if (is_one && body == "all") continue;
@@ -306,6 +311,12 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file)
     table.rows.push_back({body, text_in(summary, row, "kind"), text_in(summary, row, "range"), text_in(summary, row, "count"),
                           text_in(summary, row, "without_equilibrium"), percent_in(summary, row, "median"),
                           percent_in(summary, row, "percentile_90"), percent_in(summary, row, "worst"), worst});
+    if (!has_lengths) continue;
+    const auto furthest_m = number_in(summary, row, "furthest_m");
+    std::string furthest = io::shown_column(text_in(summary, row, "furthest_observable")).quantity;
+    if (body == "all" && furthest_m) furthest.insert(0, text_in(summary, row, "furthest_body") + ", ");
+    table.rows.back().push_back(shown_number(furthest_m ? std::optional(1e3 * *furthest_m) : std::nullopt));
+    table.rows.back().push_back(furthest);
   }
   return table;
 }

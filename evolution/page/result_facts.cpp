@@ -101,7 +101,14 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .median = number_in(summary, row, "median"),
                   .percentile_90 = summary.has("percentile_90") ? number_in(summary, row, "percentile_90") : std::nullopt,
                   .worst = number_in(summary, row, "worst"),
-                  .worst_body = text_in(summary, row, "worst_body")};
+                  .worst_body = text_in(summary, row, "worst_body"),
+                  .worst_observable = io::shown_column(text_in(summary, row, "worst_observable")).quantity,
+                  .median_m = number_in(summary, row, "median_m"),
+                  .worst_m = number_in(summary, row, "worst_m"),
+                  .furthest_m = number_in(summary, row, "furthest_m"),
+                  .furthest_error = number_in(summary, row, "furthest_error"),
+                  .furthest_body = text_in(summary, row, "furthest_body"),
+                  .furthest_observable = io::shown_column(text_in(summary, row, "furthest_observable")).quantity};
   }
   facts.bodies = bodies.size();
   const std::filesystem::path signs_file = output.folder / "signs.csv";

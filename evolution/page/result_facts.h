@@ -46,6 +46,14 @@ struct ErrorFact {
   std::optional<double> percentile_90{};
   std::optional<double> worst{};
   std::string worst_body{};
+  std::string worst_observable{};  ///< for people: "extent y"
+  // Of displacements, as lengths; nothing in results of earlier versions.
+  std::optional<double> median_m{};
+  std::optional<double> worst_m{};         ///< of the number with the worst error
+  std::optional<double> furthest_m{};      ///< the largest over the length of its body
+  std::optional<double> furthest_error{};  ///< the same as an error
+  std::string furthest_body{};
+  std::string furthest_observable{};
 };
 
 /// What a validation says.

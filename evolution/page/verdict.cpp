@@ -207,12 +207,20 @@ Finding validation_finding(const ValidationFacts& facts) {
         "Whether the surrogate takes the right shapes is not known: no displacement was compared inside the range of its fit.",
         facts.source};
   }
-  std::string text = "The surrogate's shapes are " + io::percents(*shapes.median) + " off finite elements (median of " +
-                     counted(shapes.count, "displacement", "displacements") + " of " + counted(facts.bodies, "body", "bodies") +
-                     ", inside the range of the fit";
+  const bool has_bodies = facts.bodies > 1;
+  std::string text = "The surrogate's shapes are " + io::percents(*shapes.median) +
+                     (shapes.median_m && !has_bodies ? " (" + io::millimetres(*shapes.median_m, 2) + ")" : "") +
+                     " off finite elements (median of " + counted(shapes.count, "displacement", "displacements") + " of " +
+                     counted(facts.bodies, "body", "bodies") + ", inside the range of the fit";
   if (shapes.worst) {
     text += "; the worst is " + io::percents(*shapes.worst) + " off";
-    if (facts.bodies > 1) text += ", of " + shapes.worst_body;
+    if (shapes.worst_m) text += ", or " + io::millimetres(*shapes.worst_m);
+    if (has_bodies) text += ", of " + shapes.worst_body;
+    if (shapes.worst_m) text += (has_bodies ? " in " : ", in ") + shapes.worst_observable;
+  }
+  if (shapes.furthest_m && shapes.furthest_error && shapes.worst_m && *shapes.furthest_m != *shapes.worst_m) {
+    text += "; furthest off, by " + io::millimetres(*shapes.furthest_m) + " or " + io::percents(*shapes.furthest_error) +
+            ", is " + (has_bodies ? shapes.furthest_body + " in " : "") + shapes.furthest_observable;
   }
   text += ")";
   if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);

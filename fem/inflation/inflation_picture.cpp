@@ -13,10 +13,9 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <limits>
-#include <set>
 
+#include "fem/picture/cutting_plane.h"
 #include "fem/picture/picture_parts.h"
 #include "fem/space/rank_gather.h"
 #include "io/text/formatted.h"
@@ -63,64 +62,36 @@ vtkSmartPointer<vtkUnstructuredGrid> linear_grid(const DeformedBody& body, bool 
 }
 
 /// Returns the part of a grid behind the cut.
-vtkSmartPointer<vtkUnstructuredGrid> half_of(vtkUnstructuredGrid& grid, double cut) {
+vtkSmartPointer<vtkUnstructuredGrid> part_behind(vtkUnstructuredGrid& grid, double cut) {
   grid.GetPointData()->SetActiveScalars("depth");
   vtkNew<vtkTableBasedClipDataSet> clip;
   clip->SetInputData(&grid);
   clip->SetValue(cut);
   clip->Update();
-  vtkSmartPointer<vtkUnstructuredGrid> half = clip->GetOutput();
-  half->GetPointData()->SetActiveScalars("stress");
-  return half;
+  vtkSmartPointer<vtkUnstructuredGrid> part = clip->GetOutput();
+  part->GetPointData()->SetActiveScalars("stress");
+  return part;
 }
 
-/// Returns the depths between which each element lies.
-std::vector<std::array<double, 2>> depths_of_elements(const DeformedBody& body) {
+/// Returns the boxes of the elements at rest.
+std::vector<ElementBox> boxes_of_elements(const DeformedBody& body) {
   const auto side = static_cast<std::size_t>(body.degree) + 1;
   const std::size_t nodes = side * side * side;
-  std::vector<std::array<double, 2>> depths;
+  std::vector<ElementBox> boxes;
   for (std::size_t first = 0; first < body.element_nodes.size(); first += nodes) {
-    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    ElementBox box;
+    box[0].fill(std::numeric_limits<double>::max());
+    box[1].fill(std::numeric_limits<double>::lowest());
     for (std::size_t n = 0; n < nodes; ++n) {
-      const double depth = body.positions[static_cast<std::size_t>(body.element_nodes[first + n])][1];
-      range = {std::min(range[0], depth), std::max(range[1], depth)};
+      const Point& X = body.positions[static_cast<std::size_t>(body.element_nodes[first + n])];
+      for (std::size_t i = 0; i < 3; ++i) {
+        box[0][i] = std::min(box[0][i], X[i]);
+        box[1][i] = std::max(box[1][i], X[i]);
+      }
     }
-    depths.push_back(range);
+    boxes.push_back(box);
   }
-  return depths;
-}
-
-/// Returns where to cut: in the middle, or beside it where a wall between two chambers lies there, which would hide both.
-double cutting_depth(const DeformedBody& body) {
-  constexpr double farthest = 0.3;   // from the middle, over the width
-  constexpr double much_less = 0.7;  // of the elements in the middle
-  const std::vector<std::array<double, 2>> elements = depths_of_elements(body);
-  std::set<double> planes;
-  std::vector<double> lows;
-  std::vector<double> highs;
-  for (const auto& [low, high] : elements) {
-    planes.insert({low, high});
-    lows.push_back(low);
-    highs.push_back(high);
-  }
-  std::ranges::sort(lows);
-  std::ranges::sort(highs);
-  const double width = *planes.rbegin() - *planes.begin();
-  const double middle = 0.5 * (*planes.begin() + *planes.rbegin());
-  // Behind the plane: the middle often is a plane of the mesh itself.
-  const auto cut_through = [&](double depth) {
-    const double behind = depth + 1e-6 * width;
-    return (std::ranges::lower_bound(lows, behind) - lows.begin()) - (std::ranges::upper_bound(highs, behind) - highs.begin());
-  };
-  const auto in_the_middle = static_cast<double>(cut_through(middle));
-  double best = middle;
-  for (auto plane = planes.begin(); std::next(plane) != planes.end(); ++plane) {
-    const double depth = 0.5 * (*plane + *std::next(plane));
-    const double away = std::abs(depth - middle);
-    if (away > farthest * width || (best != middle && away >= std::abs(best - middle))) continue;
-    if (static_cast<double>(cut_through(depth)) < much_less * in_the_middle) best = depth;
-  }
-  return best;
+  return boxes;
 }
 
 /// Returns the stress that a fiftieth of the nodes exceed, kPa.
@@ -166,16 +137,19 @@ DeformedBody gather_deformed_body(const Space& space, std::span<const double> di
 io::PictureOutcome draw_deformed_body(const std::filesystem::path& file, const DeformedBody& body, const std::string& caption,
                                       const io::PictureStyle& style) {
   return io::write_picture(file, style, [&](vtkRenderWindow& window) {
-    const double cut = cutting_depth(body);
-    const auto deformed = half_of(*linear_grid(body, true), cut);
-    const auto reference = half_of(*linear_grid(body, false), cut);
+    const double cut = cutting_depth(boxes_of_elements(body));
+    const auto whole = linear_grid(body, false);
+    const auto deformed = part_behind(*linear_grid(body, true), cut);
+    const auto reference = part_behind(*whole, cut);
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1.0, 1.0, 1.0);
     window.AddRenderer(renderer);
     add_light(*renderer);
     add_body(*renderer, *deformed, highest_colour(body));
     add_outline(*renderer, *reference);
-    const double pixels_per_m = aim(*renderer, {deformed, reference}, style);
+    whole->GetPointData()->SetActiveScalars("depth");
+    add_faint_outline(*renderer, *whole, cut);
+    const double pixels_per_m = aim(*renderer, {deformed, whole}, style);
     add_scale_bar(*renderer, pixels_per_m, style);
     add_colour_bar(*renderer, stress_title(body), highest_colour(body), style);
     add_caption(*renderer, caption, style);

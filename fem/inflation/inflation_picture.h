@@ -23,9 +23,9 @@ struct DeformedBody {
 /// Gathers a state on the first rank; the others get an empty body. Collective.
 DeformedBody gather_deformed_body(const Space& space, std::span<const double> displacements, const NodalFields& fields);
 
-/// Draws a body that has elements, cut open along the vertical plane y = const through its middle, or beside it where a wall
-/// between chambers lies there (in the reference configuration). It is coloured by von Mises stress, with the edges of the
-/// undeformed half as lines, a scale bar and a caption. The colours end at the stress that 2 % of the nodes exceed, because the
+/// Draws a body that has elements, cut open along a vertical plane y = const of the body at rest that opens chambers and leaves
+/// its limbs, see cutting_depth(). It is coloured by von Mises stress, with the edges of the body at rest as lines (grey ones
+/// where it was cut away), a scale bar and a caption. The colours end at the stress that 2 % of the nodes exceed, because the
 /// stress is unbounded at re-entrant edges.
 /// @return what is missing if nothing can be drawn
 /// @throws io::InputError if the file cannot be written

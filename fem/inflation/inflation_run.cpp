@@ -18,6 +18,7 @@
 #include "io/process/run_folder.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/joined_text.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
 #include "io/text/version.h"
@@ -340,16 +341,32 @@ class InflationRun {
     });
   }
 
+  /// "2.5 kPa", or which plena have which pressure where two pressures are left, or their range
+  [[nodiscard]] std::string pressures_text(const std::vector<double>& pressures_Pa) const {
+    const auto [low, high] = std::ranges::minmax(pressures_Pa);
+    const auto kilopascals = [](double pressure_Pa) { return io::shown(1e-3 * pressure_Pa); };
+    if (low == high) return kilopascals(low) + " kPa";
+    constexpr std::size_t most_named = 4;
+    std::vector<std::string> at_low;
+    std::vector<std::string> at_high;
+    for (std::size_t n = 0; n < pressures_Pa.size(); ++n) {
+      if (pressures_Pa[n] == low) at_low.push_back(result_.plenum_names[n]);
+      if (pressures_Pa[n] == high) at_high.push_back(result_.plenum_names[n]);
+    }
+    if (pressures_Pa.size() > most_named || at_low.size() + at_high.size() < pressures_Pa.size())
+      return kilopascals(low) + " to " + kilopascals(high) + " kPa";
+    return kilopascals(low) + " kPa in " + io::joined(at_low) + ", " + kilopascals(high) + " kPa in " + io::joined(at_high);
+  }
+
   [[nodiscard]] std::string caption() const {
     const PathPoint& first = result_.path.points.front();
     const PathPoint& last = result_.path.points.back();
-    const auto [low, high] = std::minmax_element(last.pressures_Pa.begin(), last.pressures_Pa.end());
     double before = 0.0;
     double after = 0.0;
     for (const double volume : first.plenum_volumes_m3) before += volume;
     for (const double volume : last.plenum_volumes_m3) after += volume;
-    std::string text = io::shown(1e-3 * *low) + (*low == *high ? "" : " to " + io::shown(1e-3 * *high)) + " kPa, chamber volume ";
-    return text + io::formatted("%+.3g", 100.0 * (after / before - 1.0)) + " %";
+    return pressures_text(last.pressures_Pa) + (last.plenum_volumes_m3.size() > 1 ? ", volume of all " : ", chamber volume ") +
+           io::formatted("%+.3g", 100.0 * (after / before - 1.0)) + " %";
   }
 
   const InflationStudy& study_;

@@ -2,8 +2,10 @@
 
 #include <vtkActor.h>
 #include <vtkActor2D.h>
+#include <vtkAlgorithmOutput.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkClipPolyData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkFeatureEdges.h>
@@ -11,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkPolyDataNormals.h>
@@ -73,6 +76,30 @@ void add_text(vtkRenderer& renderer, const std::string& text, double x, double y
   renderer.AddViewProp(actor);
 }
 
+vtkSmartPointer<vtkFeatureEdges> sharp_edges(vtkAlgorithmOutput* surface) {
+  auto edges = vtkSmartPointer<vtkFeatureEdges>::New();
+  edges->SetInputConnection(surface);
+  edges->SetFeatureAngle(30.0);
+  edges->ColoringOff();
+  edges->ManifoldEdgesOff();
+  return edges;
+}
+
+/// Adds lines, drawn in front of the surface in which they lie.
+void add_lines(vtkRenderer& renderer, vtkAlgorithmOutput* lines, const std::array<double, 3>& colour, float width) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(lines);
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetLineWidth(width * io::supersampling);
+  actor->GetProperty()->LightingOff();
+  renderer.AddActor(actor);
+}
+
 }  // namespace
 
 void add_light(vtkRenderer& renderer) {
@@ -105,23 +132,29 @@ void add_body(vtkRenderer& renderer, vtkUnstructuredGrid& grid, double highest) 
 void add_outline(vtkRenderer& renderer, vtkUnstructuredGrid& grid) {
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(&grid);
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputConnection(surface->GetOutputPort());
-  edges->SetFeatureAngle(30.0);
-  edges->ColoringOff();
-  edges->ManifoldEdgesOff();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(edges->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  // drawn in front of the surface in which it lies
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
-  actor->GetProperty()->SetLineWidth(1.2F * io::supersampling);
-  actor->GetProperty()->LightingOff();
-  renderer.AddActor(actor);
+  add_lines(renderer, sharp_edges(surface->GetOutputPort())->GetOutputPort(), ink, 1.2F);
+}
+
+void add_faint_outline(vtkRenderer& renderer, vtkUnstructuredGrid& grid, double below) {
+  constexpr std::array<double, 3> grey{0.55, 0.57, 0.62};
+  Point outermost{std::numeric_limits<double>::max(), 0.0, 0.0};  // a point of the outer surface, for it has the least x
+  for (vtkIdType n = 0; n < grid.GetNumberOfPoints(); ++n) {
+    Point x{};
+    grid.GetPoint(n, x.data());
+    if (x[0] < outermost[0]) outermost = x;
+  }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(&grid);
+  vtkNew<vtkPolyDataConnectivityFilter> outer;
+  outer->SetInputConnection(surface->GetOutputPort());
+  outer->SetExtractionModeToClosestPointRegion();
+  outer->SetClosestPoint(outermost.data());
+  vtkNew<vtkClipPolyData> clip;
+  const auto edges = sharp_edges(outer->GetOutputPort());
+  clip->SetInputConnection(edges->GetOutputPort());
+  clip->SetValue(below);
+  clip->InsideOutOn();
+  add_lines(renderer, clip->GetOutputPort(), grey, 1.0F);
 }
 
 double aim(vtkRenderer& renderer, const std::vector<vtkUnstructuredGrid*>& grids, const io::PictureStyle& style) {

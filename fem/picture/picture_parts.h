@@ -21,6 +21,10 @@ void add_body(vtkRenderer& renderer, vtkUnstructuredGrid& grid, double highest);
 /// Adds the sharp edges of a grid's surface as lines that are visible through the body.
 void add_outline(vtkRenderer& renderer, vtkUnstructuredGrid& grid);
 
+/// Adds the sharp edges of a grid's outer surface, without those of closed chambers, as thin grey lines where its active scalars
+/// are less than `below`: for what a cut takes away.
+void add_faint_outline(vtkRenderer& renderer, vtkUnstructuredGrid& grid, double below);
+
 /// Points the camera at grids, from the side of small y, in parallel projection, so that they fill the picture.
 /// @return pixels of the window (not of the picture) per metre
 double aim(vtkRenderer& renderer, const std::vector<vtkUnstructuredGrid*>& grids, const io::PictureStyle& style);

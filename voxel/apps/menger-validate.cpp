@@ -46,10 +46,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "load-cases\n"
       "first computes the curves of the load cases; existing curves are kept. It writes validation/errors.csv, "
       "summary.csv, signs.csv,\n"
-      "expected_errors.csv, volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the worst "
-      "body in both "
-      "models:\n"
-      "worst.pvd (open it in ParaView) and worst.png.\n"
+      "expected_errors.csv, volume_actuation.csv, report.txt, errors.png, a picture of every curve, manifest.json, and the body "
+      "that is\n"
+      "furthest off, in millimetres over its length, in both models: worst.pvd (open it in ParaView) and worst.png.\n"
       "Exit codes: 0 done, 2 wrong input, 3 the surrogate has no equilibrium in some state (the tables are written),\n"
       "130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {

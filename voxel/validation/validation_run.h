@@ -37,7 +37,8 @@ struct ValidationResult {
 
 /// Compares voxel parameters with curves and writes the results into a folder: errors.csv, summary.csv, signs.csv,
 /// expected_errors.csv, volume_actuation.csv, report.txt (the printed text), errors.png, curve_CASE.png, and worst.pvd and
-/// worst.png of the worst body. See validation_tables.h, kind_errors.h and validation_scene.h. A stopped run writes nothing.
+/// worst.png of the state that is furthest_off(). See validation_tables.h, kind_errors.h and validation_scene.h. A stopped run
+/// writes nothing.
 /// @param record of the fit of the parameters, for the notes
 /// @throws io::InputError if the folder cannot be written to
 ValidationResult run_validation(const ValidationStudy& study, const SurrogateParameters& parameters, const FitRecord& record,

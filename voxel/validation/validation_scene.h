@@ -38,7 +38,8 @@ struct SideBySideOutcome {
 /// and shifted to the rigid motion of the finite elements (best fit; not without fields), because that motion depends on where
 /// the body is held and is not a response of either model. Point data of voxels: displacement_m. Cell data: material,
 /// volume_ratio (the active scalars). Field data of both: TimeValue, pressure_Pa, imposed. `worst.png` shows both models side by
-/// side in one row of the curve, each with the outline of the body at rest.
+/// side in one row of the curve, each with the outline of the body at rest. A validation shows the state whose shape is furthest
+/// off in lengths, see furthest_off(), not the largest error in per cent: that can be of a curve that hardly answers.
 /// @throws io::InputError if the fields cannot be read or the folder cannot be written to
 SideBySideOutcome write_side_by_side(const std::filesystem::path& folder, const SideBySide& sides, bool with_picture = true);
 

@@ -12,18 +12,42 @@ namespace menger::voxel {
 
 namespace {
 
+double difference_of(const ObservableError& error) { return std::abs(error.surrogate - error.reference); }
+
+/// The longest side of the body of a curve at rest, m.
+double length_of(const CurveComparison& comparison) {
+  const meshes::LoadCase& load_case = comparison.load_case();
+  const int cells = meshes::longest_side_cells(load_case.cells, load_case.digits);
+  return load_case.cell_edge_m * cells * meshes::longest_side_modules(cells, load_case.level);
+}
+
 /// Errors of a kind on one side of the range of validity.
 struct Sample {
   std::vector<double> magnitudes;
   std::vector<double> pointwise;
+  std::vector<double> differences_m;
+  double largest_share = -1.0;
   ErrorSummary summary;
 
-  void add(const ObservableError& error, const CurveComparison& comparison) {
+  void add(const std::vector<CurveComparison>& comparisons, const ErrorPlace& place) {
+    const CurveComparison& comparison = comparisons[place.comparison];
+    const ObservableError& error = comparison.errors[place.error];
+    const bool is_length = error.kind == ObservableKind::displacement;
     const double magnitude = std::abs(error.error);
     if (!summary.worst || magnitude > *summary.worst) {
       summary.worst = magnitude;
       summary.worst_body = comparison.body;
       summary.worst_case = comparison.load_case().name;
+      summary.worst_observable = error.observable;
+      if (is_length) summary.worst_m = difference_of(error);
+    }
+    if (is_length) {
+      differences_m.push_back(difference_of(error));
+      const double share = difference_of(error) / length_of(comparison);
+      if (share > largest_share) {
+        largest_share = share;
+        summary.furthest = place;
+      }
     }
     magnitudes.push_back(magnitude);
     if (error.pointwise_error) pointwise.push_back(std::abs(*error.pointwise_error));
@@ -35,6 +59,7 @@ struct Sample {
     result.median = quantile(magnitudes, 0.5, summary.without_equilibrium);
     result.percentile_90 = quantile(magnitudes, 0.9, summary.without_equilibrium);
     if (!pointwise.empty()) result.pointwise_median = quantile(pointwise, 0.5);
+    result.median_m = quantile(differences_m, 0.5, summary.without_equilibrium);  // nothing without any
     return result;
   }
 };
@@ -79,10 +104,12 @@ std::optional<double> quantile(std::vector<double> values, double p, std::size_t
 
 std::vector<ErrorSummary> summarise(const std::vector<CurveComparison>& comparisons, const std::optional<std::string>& body) {
   std::array<std::array<Sample, observable_kind_count>, 2> samples;
-  for (const CurveComparison& comparison : comparisons) {
+  for (std::size_t c = 0; c < comparisons.size(); ++c) {
+    const CurveComparison& comparison = comparisons[c];
     if (body && comparison.body != *body) continue;
-    for (const ObservableError& error : comparison.errors) {
-      samples.at(side_of(error.validity)).at(static_cast<std::size_t>(error.kind)).add(error, comparison);
+    for (std::size_t e = 0; e < comparison.errors.size(); ++e) {
+      const ObservableError& error = comparison.errors[e];
+      samples.at(side_of(error.validity)).at(static_cast<std::size_t>(error.kind)).add(comparisons, {c, e});
     }
     for (const UndeterminedNumber& number : comparison.without_equilibrium)
       ++samples.at(side_of(number.validity)).at(static_cast<std::size_t>(number.kind)).summary.without_equilibrium;
@@ -120,6 +147,25 @@ std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& compar
   if (!place) place = largest_error(comparisons, [](const ObservableError& error) { return is_aimed_at(error.kind); });
   if (!place) place = largest_error(comparisons, [](const ObservableError&) { return true; });
   return place;
+}
+
+FurthestDisplacement furthest_displacement(const std::vector<CurveComparison>& comparisons, const ErrorPlace& place) {
+  const CurveComparison& comparison = comparisons[place.comparison];
+  const ObservableError& error = comparison.errors[place.error];
+  assert(error.kind == ObservableKind::displacement);
+  return {.body = comparison.body,
+          .observable = error.observable,
+          .pressure_Pa = error.pressure_Pa,
+          .difference_m = difference_of(error),
+          .share = difference_of(error) / length_of(comparison),
+          .error = std::abs(error.error)};
+}
+
+std::optional<ErrorPlace> furthest_off(const std::vector<CurveComparison>& comparisons) {
+  for (const ErrorSummary& summary : summarise(comparisons)) {  // inside first
+    if (summary.furthest) return summary.furthest;
+  }
+  return worst_error(comparisons);
 }
 
 std::vector<SignCount> count_signs(const std::vector<CurveComparison>& comparisons) {

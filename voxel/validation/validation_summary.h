@@ -9,6 +9,12 @@
 
 namespace menger::voxel {
 
+/// Position of an error: in a list of comparisons, and in the errors of one.
+struct ErrorPlace {
+  std::size_t comparison = 0;
+  std::size_t error = 0;
+};
+
 /// The distribution of errors of one kind of observable. Errors are magnitudes, see ObservableError. A number without a response
 /// counts as an error larger than any other.
 struct ErrorSummary {
@@ -23,6 +29,12 @@ struct ErrorSummary {
   std::optional<double> pointwise_median{};  ///< of the pointwise errors, if there are any
   std::string worst_body{};
   std::string worst_case{};
+  std::string worst_observable{};
+  /// Of displacements, which are lengths: |surrogate - reference|, m. A small error of a body can be a large one of a curve that
+  /// hardly answers.
+  std::optional<double> median_m{};
+  std::optional<double> worst_m{};       ///< of the number with the worst error
+  std::optional<ErrorPlace> furthest{};  ///< the largest difference over the length of its body
 };
 
 /// The p-quantile of values, 0 <= p <= 1. It is linear between the sorted values; the first is at p = 0, the last at p = 1.
@@ -45,15 +57,26 @@ const ErrorSummary* find_summary(const std::vector<ErrorSummary>& summaries, Obs
 /// The bodies of comparisons, each once, in the order of their first curve.
 std::vector<std::string> bodies_of(const std::vector<CurveComparison>& comparisons);
 
-/// Position of an error: in a list of comparisons, and in the errors of one.
-struct ErrorPlace {
-  std::size_t comparison = 0;
-  std::size_t error = 0;
-};
-
 /// The largest error in displacement and volume inside the range of validity. If there is none inside, it is the largest of all
 /// errors in displacement and volume; if there is none of these, the largest of all errors. Nothing without errors.
 std::optional<ErrorPlace> worst_error(const std::vector<CurveComparison>& comparisons);
+
+/// How far the surrogate is off where it takes a shape worst, in lengths that compare bodies and curves.
+struct FurthestDisplacement {
+  std::string body;
+  std::string observable;
+  double pressure_Pa = 0.0;
+  double difference_m = 0.0;  ///< |surrogate - reference|
+  double share = 0.0;         ///< of the length of the body: its longest side at rest
+  double error = 0.0;         ///< the same as a magnitude of ObservableError::error
+};
+
+/// @param place of a displacement
+FurthestDisplacement furthest_displacement(const std::vector<CurveComparison>& comparisons, const ErrorPlace& place);
+
+/// Where the shape of a body is furthest off: the displacement with the largest difference over the length of its body, inside
+/// the range of validity. If there is none inside, it is the largest of all displacements; without displacements the worst_error.
+std::optional<ErrorPlace> furthest_off(const std::vector<CurveComparison>& comparisons);
 
 /// How often the surrogate moves an observable of a body the wrong way.
 struct SignCount {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/joined_text.h"
 
@@ -20,9 +21,16 @@ std::string side_of(const ErrorSummary& summary) { return summary.inside ? "insi
 
 void add_summaries(io::CsvTable& table, const std::vector<CurveComparison>& comparisons, const std::optional<std::string>& body) {
   for (const ErrorSummary& summary : summarise(comparisons, body)) {
+    const auto furthest = summary.furthest ? std::optional(furthest_displacement(comparisons, *summary.furthest)) : std::nullopt;
+    const auto of_furthest = [&](double FurthestDisplacement::*member) {
+      return furthest ? std::optional(*furthest.*member) : std::nullopt;
+    };
     table.add_row(body.value_or("all"), to_string(summary.kind), side_of(summary), number(summary.count),
                   number(summary.without_equilibrium), summary.median, summary.percentile_90, summary.worst,
-                  summary.pointwise_median, summary.worst_body, summary.worst_case);
+                  summary.pointwise_median, summary.worst_body, summary.worst_case, summary.worst_observable, summary.median_m,
+                  summary.worst_m, furthest ? furthest->body : "", furthest ? furthest->observable : "",
+                  of_furthest(&FurthestDisplacement::pressure_Pa), of_furthest(&FurthestDisplacement::difference_m),
+                  of_furthest(&FurthestDisplacement::share), of_furthest(&FurthestDisplacement::error));
   }
 }
 
@@ -78,8 +86,26 @@ io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons) {
 }
 
 io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons) {
-  io::CsvTable table({"body", "kind", "range", "count", "without_equilibrium", "median", "percentile_90", "worst",
-                      "pointwise_median", "worst_body", "worst_case"});
+  io::CsvTable table({"body",
+                      "kind",
+                      "range",
+                      "count",
+                      "without_equilibrium",
+                      "median",
+                      "percentile_90",
+                      "worst",
+                      "pointwise_median",
+                      "worst_body",
+                      "worst_case",
+                      "worst_observable",
+                      "median_m",
+                      "worst_m",
+                      "furthest_body",
+                      "furthest_observable",
+                      "furthest_pressure_Pa",
+                      "furthest_m",
+                      "furthest_share",
+                      "furthest_error"});
   add_summaries(table, comparisons, std::nullopt);
   for (const std::string& body : bodies_of(comparisons)) add_summaries(table, comparisons, body);
   return table;
@@ -106,6 +132,21 @@ std::string sign_sentence(const std::vector<CurveComparison>& comparisons) {
   return "sign: " + std::to_string(count - wrong) + " of " + std::to_string(count) + " displacements of at least " +
          io::formatted("%.1f mm", 1e3 * smallest_signed_m) + " go the right way" +
          (which.empty() ? "" : "; the wrong way: " + io::joined(which));
+}
+
+std::string furthest_sentence(const std::vector<CurveComparison>& comparisons) {
+  const std::vector<ErrorSummary> summaries = summarise(comparisons);
+  const ErrorSummary* summary = find_summary(summaries, ObservableKind::displacement);
+  if (summary == nullptr || !summary->furthest) return "";
+  const FurthestDisplacement furthest = furthest_displacement(comparisons, *summary->furthest);
+  std::string text = "furthest off: " + io::millimetres(furthest.difference_m) + ", " + percent(furthest.share) +
+                     " of the length of the body (" + furthest.body + " " + furthest.observable + " at " +
+                     io::kilopascals(furthest.pressure_Pa) + ", " + percent(furthest.error) + " of the largest in its curve)";
+  if (summary->worst_m && *summary->worst_m < furthest.difference_m)
+    text += "; the worst in per cent of its curve, " + percent(*summary->worst) + ", is " + io::millimetres(*summary->worst_m) +
+            " (" + summary->worst_body + " " + summary->worst_observable + ")";
+  if (summary->median_m) text += "; the median is " + io::millimetres(*summary->median_m);
+  return text;
 }
 
 io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, const ActuationAim& aim) {

@@ -18,8 +18,10 @@ io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons);
 
 /// A table with one row per kind and side of the range of validity, for all bodies together and then for each body. Columns: body
 /// ("all"), kind, range ("inside", "outside"), count, without_equilibrium (numbers in states without an equilibrium of the
-/// surrogate; they count as larger than any error), median, percentile_90, worst, pointwise_median, worst_body, worst_case.
-/// Errors are fractions. Cells are empty if a number is missing.
+/// surrogate; they count as larger than any error), median, percentile_90, worst, pointwise_median, worst_body, worst_case,
+/// worst_observable; of displacements also median_m, worst_m, and furthest_body, furthest_observable,
+/// furthest_pressure_Pa, furthest_m, furthest_share, furthest_error of the FurthestDisplacement. Errors without a unit in their
+/// name are fractions. Cells are empty if a number is missing.
 io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons);
 
 /// A table with one row per body and observable, see SignCount: body, observable, count, wrong.
@@ -27,6 +29,10 @@ io::CsvTable signs_table(const std::vector<CurveComparison>& comparisons);
 
 /// A sentence: how many displacements have the right sign, and which do not.
 std::string sign_sentence(const std::vector<CurveComparison>& comparisons);
+
+/// A sentence: how far the shape is off where it is furthest off, in millimetres, beside the largest error in per cent of a
+/// curve. Empty if no displacement was compared inside the range of validity.
+std::string furthest_sentence(const std::vector<CurveComparison>& comparisons);
 
 /// A table with one row per body, see VolumeActuation.
 io::CsvTable actuation_table(const std::vector<VolumeActuation>& actuations, const ActuationAim& aim);

@@ -266,6 +266,22 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
              "validate/worst.png");
 }
 
+TEST_F(LoopFindings, TellErrorsOfTheShapeInMillimetresBesideTheirShareOfACurve) {
+  io::write_whole(folder_ / "validate/summary.csv",
+                  "body,kind,range,median,percentile_90,worst,worst_observable,median_m,worst_m,furthest_observable,furthest_m,"
+                  "furthest_error\nall,displacement,inside,0.21,1.99,2.67,extent_y_m,0.00068,0.00108,top_m,0.00207,0.25\n"
+                  "all,volume,inside,0.05,0.05,0.05,volume_change,,,,,\n");
+  io::write_whole(folder_ / "validate/signs.csv", "body,observable,count,wrong\nrobot,extent_x_m,5,0\n");
+  EXPECT_EQ(
+      found("validate"),
+      "shape of this very body: 21 % (0.68 mm) off in displacements, 5 % in chamber volume (medians), furthest in the height "
+      "of the top (2.07 mm, 25 % of its largest value); one displacement in ten is off by more than 199 % of its largest "
+      "value, up to 267 % or 1.08 mm of the extent along y");
+  expect_has(verdict(),
+             "its shape is 21 % (0.68 mm) off in the median, furthest in the height of the top (2.07 mm, 25 % of its largest "
+             "value); see validate/worst.png");
+}
+
 TEST_F(LoopFindings, VerdictCountsErrorsBeyondTheRangeOfTheParameters) {
   io::write_whole(folder_ / "validate/summary.csv",
                   "body,kind,range,median\nall,displacement,inside,0.1\nall,displacement,outside,0.4\nall,volume,inside,0.05\n");

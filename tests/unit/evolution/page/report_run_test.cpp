@@ -370,11 +370,12 @@ TEST(ReportRun, SaysWhatAPictureShows) {
     io::write_manifest(place, {.program = "menger-inflate", .parameters = "", .seed = std::nullopt, .inputs = {}});
   }
   const std::string text = io::read_whole(write_report(folder, quick()).file);
-  EXPECT_NE(text.find("at the end of its inflation. Thin lines: the body at rest.\",\"file\":\"inflate/chamber.png\""),
+  EXPECT_NE(text.find("at the end of its inflation. Thin lines: the body at rest, grey where it was cut "
+                      "away.\",\"file\":\"inflate/chamber.png\""),
             std::string::npos);
   EXPECT_NE(
-      text.find("beyond the limit pressure: the pressure falls again there. Thin lines: the body at rest.\",\"file\":\"limit/"
-                "chamber.png\",\"link\":\"./limit/chamber.png\""),
+      text.find("beyond the limit pressure: the pressure falls again there. Thin lines: the body at rest, grey where it was cut "
+                "away.\",\"file\":\"limit/chamber.png\",\"link\":\"./limit/chamber.png\""),
       std::string::npos);
 }
 

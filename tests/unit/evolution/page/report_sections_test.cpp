@@ -188,6 +188,28 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
   EXPECT_EQ(facts.wrong_ways, std::vector<std::string>{"extent y (3 of 4)"});
 }
 
+TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
+  write("validate/errors.csv",
+        "case,body,kind,observable,pressure_Pa,imposed,finite_elements,surrogate,error,pointwise_error,validity\nc,bar,"
+        "displacement,top_m,3000,,0.001,0.0012,0.2,0.2,inside\n");
+  write("validate/summary.csv",
+        "body,kind,range,count,median,worst,worst_body,worst_case,worst_observable,median_m,worst_m,furthest_body,"
+        "furthest_observable,furthest_m,furthest_error\nall,displacement,inside,36,0.2,2.67,bar,c,extent_y_m,0.0007,0.00108,bar,"
+        "top_m,0.00207,0.25\nbar,displacement,inside,36,0.2,2.67,bar,c,extent_y_m,0.0007,0.00108,bar,top_m,0.00207,0.25\n");
+  const PageTable table = section({output("validate")}, "validation").tables.at(0);
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.columns.at(9), "furthest off (mm)");
+  EXPECT_EQ(table.rows[0].at(9), "2.07");
+  EXPECT_EQ(table.rows[0].at(10), "top");
+  const ErrorFact shapes = read_facts({output("validate")}, notes_).validations.at(0).displacement;
+  EXPECT_EQ(shapes.median_m, 0.0007);
+  EXPECT_EQ(shapes.worst_m, 0.00108);
+  EXPECT_EQ(shapes.worst_observable, "extent y");
+  EXPECT_EQ(shapes.furthest_m, 0.00207);
+  EXPECT_EQ(shapes.furthest_error, 0.25);
+  EXPECT_EQ(shapes.furthest_observable, "top");
+}
+
 TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
   write("reevaluate/reevaluation.csv",
         "rank,individual,selection,cells,surrogate_body_lengths_per_minute,elements_body_lengths_per_minute,surrogate_relative_"

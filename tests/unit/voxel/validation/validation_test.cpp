@@ -303,6 +303,59 @@ TEST(ValidationSummary, KeepsWhatLiesOutsideTheRangeApart) {
   EXPECT_FALSE(worst_error({}).has_value());
 }
 
+/// The displacement of one observable in a bar of 30 mm: 2.5 times its small largest value off.
+CurveComparison with_displacements() {
+  CurveComparison comparison;
+  comparison.curve = bar_curve("bar_inflation", LoadCaseKind::inflation, {});
+  comparison.body = "bar";
+  const auto add = [&](const std::string& observable, double pressure_Pa, double reference, double surrogate, double scale,
+                       Validity validity) {
+    comparison.errors.push_back({.kind = ObservableKind::displacement,
+                                 .observable = observable,
+                                 .pressure_Pa = pressure_Pa,
+                                 .reference = reference,
+                                 .surrogate = surrogate,
+                                 .error = (surrogate - reference) / scale,
+                                 .pointwise_error = std::nullopt,
+                                 .validity = validity});
+  };
+  add("extent_y_m", 1e3, -0.0004, 0.0006, 0.0004, Validity::inside);  // 1 mm, 250 %
+  add("top_m", 1e3, 0.008, 0.006, 0.008, Validity::inside);           // 2 mm, 25 %
+  add("top_m", 2e3, 0.016, 0.011, 0.016, Validity::pressure);         // 5 mm, outside
+  return comparison;
+}
+
+TEST(ValidationSummary, FindsTheStateThatIsFurthestOffInLengthsNotInShares) {
+  const std::vector<CurveComparison> comparisons{with_errors("a", {3.0}), with_displacements()};
+  const ErrorPlace place = furthest_off(comparisons).value();
+  EXPECT_EQ(place.comparison, 1U);
+  EXPECT_EQ(place.error, 1U) << "the largest error in per cent is that of extent_y_m, or of the volume of the other body";
+  const FurthestDisplacement furthest = furthest_displacement(comparisons, place);
+  EXPECT_EQ(furthest.observable, "top_m");
+  EXPECT_NEAR(furthest.difference_m, 0.002, rounding);
+  EXPECT_NEAR(furthest.share, 0.002 / 0.03, rounding);
+  EXPECT_NEAR(furthest.error, 0.25, rounding);
+  EXPECT_EQ(furthest_off({with_errors("a", {0.1, 0.3})}).value().error, 1U) << "without displacements the worst error";
+  EXPECT_FALSE(furthest_off({}).has_value());
+  EXPECT_EQ(
+      furthest_sentence(comparisons),
+      "furthest off: 2 mm, 6.67 % of the length of the body (bar top_m at 1 kPa, 25 % of the largest in its curve); the worst "
+      "in per cent of its curve, 250 %, is 1 mm (bar extent_y_m); the median is 1.5 mm");
+  EXPECT_EQ(furthest_sentence({with_errors("a", {0.1})}), "");
+  const std::string table = summary_table(comparisons).text();
+  EXPECT_NE(table.find(",worst_observable,median_m,worst_m,furthest_body,furthest_observable,furthest_pressure_Pa,furthest_m,"
+                       "furthest_share,furthest_error\n"),
+            std::string::npos);
+  EXPECT_NE(table.find(",extent_y_m,0.0015,0.001,bar,top_m,1000,0.002,"), std::string::npos) << table;
+}
+
+TEST(ValidationSummary, ComparesBodiesByTheirLength) {
+  std::vector<CurveComparison> comparisons{with_displacements(), with_displacements()};
+  comparisons[0].curve.provenance.load_case.level = 2;  // 90 mm long
+  comparisons[0].errors[1].surrogate = 0.004;           // 4 mm are less of it than 2 mm of the other
+  EXPECT_EQ(furthest_off(comparisons).value().comparison, 1U);
+}
+
 TEST(ValidationSummary, JudgesMediansAndNamesTheBodiesThatMiss) {
   const std::vector<CurveComparison> comparisons{with_errors("a", {0.01, 0.02, 0.03}), with_errors("b", {0.2}),
                                                  with_errors("c", {-0.3}), with_errors("d", {5.0}, Validity::size)};
