@@ -6,6 +6,7 @@
 #include <optional>
 #include <system_error>
 
+#include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
@@ -245,14 +246,6 @@ struct ShapeErrors {
   std::vector<std::string> wrong_ways{};  ///< the displacements with a wrong sign, for people
 };
 
-/// "the extent along y" for extent_y_m.
-std::string named_displacement(const std::string& observable) {
-  for (const char axis : {'x', 'y', 'z'}) {
-    if (observable == std::string("extent_") + axis + "_m") return std::string("the extent along ") + axis;
-  }
-  return observable == "top_m" ? "the height of the top" : observable;
-}
-
 std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   if (!io::is_file(results / "validate/summary.csv")) return std::nullopt;
   const io::CsvContents summary = io::read_csv(results / "validate/summary.csv");
@@ -273,7 +266,7 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
     const auto difference_m = row ? summary.optional_number(*row, what + "_m") : std::nullopt;
     if (!difference_m) return std::optional<MissedDisplacement>();
     return std::optional(MissedDisplacement{.difference_m = *difference_m,
-                                            .observable = named_displacement(summary.text(*row, what + "_observable")),
+                                            .observable = io::displacement_words(summary.text(*row, what + "_observable")),
                                             .error = summary.number(*row, error)});
   };
   const auto median = [&](const std::string& range, const std::string& kind) { return number(range, kind, "median"); };
@@ -295,7 +288,7 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     errors.signs += signs.count(row, "count");
     errors.wrong_signs += signs.count(row, "wrong");
-    if (signs.count(row, "wrong") > 0) errors.wrong_ways.push_back(named_displacement(signs.text(row, "observable")));
+    if (signs.count(row, "wrong") > 0) errors.wrong_ways.push_back(io::displacement_words(signs.text(row, "observable")));
   }
   return errors;
 }

@@ -62,4 +62,11 @@ ShownColumn shown_column(const std::string& name) {
   return {name, spaced(name), "", 1.0};
 }
 
+std::string displacement_words(const std::string& name) {
+  for (const char axis : {'x', 'y', 'z'}) {
+    if (name == std::string("extent_") + axis + "_m") return std::string("the extent along ") + axis;
+  }
+  return name == "top_m" ? "the height of the top" : shown_column(name).quantity;
+}
+
 }  // namespace menger::io

@@ -19,4 +19,8 @@ struct ShownColumn {
 /// of volume in per cent.
 ShownColumn shown_column(const std::string& name);
 
+/// Returns the name of a displacement in a sentence: "the extent along y" for extent_y_m, "the height of the top" for top_m; for
+/// others the quantity of shown_column.
+std::string displacement_words(const std::string& name);
+
 }  // namespace menger::io

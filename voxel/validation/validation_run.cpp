@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/whole_file.h"
@@ -116,16 +117,19 @@ std::size_t row_of(const CurveComparison& comparison, const ObservableError& err
   return found;
 }
 
-/// "furthest off, 1.3 mm: extent_y_m is -0.9 mm in finite elements, 0.4 mm in the surrogate", which is wrong in a pictured state
+/// "furthest off, 1.3 mm: the extent along y changes by -0.9 mm in finite elements, by 0.4 mm in the surrogate"; what is wrong in
+/// a pictured state
 std::string told(const ObservableError& error) {
   const auto value = [&](double number) {
     if (error.kind == ObservableKind::displacement) return io::millimetres(number);
     return error.kind == ObservableKind::volume ? io::percents(number) : io::shown(number);
   };
-  const std::string both = value(error.reference) + " in finite elements, " + value(error.surrogate) + " in the surrogate";
-  if (error.kind != ObservableKind::displacement) return error.observable + ": " + both;
-  return "furthest off, " + io::millimetres(std::abs(error.surrogate - error.reference)) + ": " + error.observable + " is " +
-         both;
+  const std::string reference = value(error.reference) + " in finite elements, ";
+  const std::string surrogate = value(error.surrogate) + " in the surrogate";
+  if (error.kind != ObservableKind::displacement)
+    return io::shown_column(error.observable).quantity + ": " + reference + surrogate;
+  return "furthest off, " + io::millimetres(std::abs(error.surrogate - error.reference)) + ": " +
+         io::displacement_words(error.observable) + " changes by " + reference + "by " + surrogate;
 }
 
 /// @param worst the state to show

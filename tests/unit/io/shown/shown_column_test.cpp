@@ -16,6 +16,12 @@ TEST(ShownColumn, HasTheUnitOfItsName) {
   EXPECT_EQ(shown_column("volume_m3").title(), "volume (cm\u00b3)");
 }
 
+TEST(ShownColumn, DisplacementsHaveWordsForSentences) {
+  EXPECT_EQ(displacement_words("extent_y_m"), "the extent along y");
+  EXPECT_EQ(displacement_words("top_m"), "the height of the top");
+  EXPECT_EQ(displacement_words("foot_1_out_m"), "foot 1 out");
+}
+
 TEST(ShownColumn, HasTheUnitsOfFiguresForResponses) {
   EXPECT_EQ(shown_column("extent_x_m").title(), "extent x (mm)");
   EXPECT_EQ(shown_column("foot_1_out_m").quantity, "foot 1 out");
