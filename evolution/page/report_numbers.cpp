@@ -58,6 +58,26 @@ std::vector<double> progress_of(const io::CsvContents& trajectory) {
   return progress;
 }
 
+std::vector<double> distance_from_start(const io::CsvContents& trajectory) {
+  std::vector<double> distance = column_of(trajectory, "centre_of_mass_x_m");
+  const std::vector<double> y_m = column_of(trajectory, "centre_of_mass_y_m");
+  const double first_x_m = distance.empty() ? 0.0 : distance.front();
+  for (std::size_t row = 0; row < distance.size(); ++row)
+    distance[row] = std::hypot(distance[row] - first_x_m, y_m[row] - y_m.front());
+  return distance;
+}
+
+double largest_retreat(const std::vector<double>& progress) {
+  double furthest = std::numeric_limits<double>::lowest();
+  double retreat = 0.0;
+  for (const double at : progress) {
+    if (!std::isfinite(at)) continue;
+    furthest = std::max(furthest, at);
+    retreat = std::max(retreat, furthest - at);
+  }
+  return retreat;
+}
+
 std::optional<double> median_of(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::ranges::sort(values);

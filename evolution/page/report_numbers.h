@@ -30,6 +30,13 @@ std::vector<double> column_of(const io::CsvContents& table, std::string_view col
 /// line from start to end; below 0 behind the start. What is no number is NaN.
 std::vector<double> progress_of(const io::CsvContents& trajectory);
 
+/// Returns the horizontal distance of the centre of mass from its start in every row of a trajectory, m. What is no number is
+/// NaN.
+std::vector<double> distance_from_start(const io::CsvContents& trajectory);
+
+/// Returns the largest retreat of a progress: how far it comes back from the furthest that it has been before.
+double largest_retreat(const std::vector<double>& progress);
+
 /// Returns the middle of some numbers, the mean of the two middle ones of an even number; nothing if there are none.
 std::optional<double> median_of(std::vector<double> values);
 

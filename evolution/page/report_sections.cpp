@@ -22,6 +22,7 @@
 #include "io/text/is_file.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -140,6 +141,8 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                      .note =
                          "Along the line from start to end of each walk: it ends at its distance, and falls where the body goes "
                          "back. Where a walk goes to and fro, distance and direction depend on when one looks."};
+  bool has_walk = false;
+  bool has_no_walk = false;
   PageChart path{.title = "Paths seen from above",
                  .x = {.title = "x (mm)"},
                  .y = {.title = "y (mm)"},
@@ -165,18 +168,23 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       std::vector<double> y_mm = column_of(walk, "centre_of_mass_y_m", 1e3);
       for (std::vector<double>* values : {&x_mm, &y_mm})
         for (const double first = values->empty() ? 0.0 : values->front(); double& value : *values) value -= first;
-      std::vector<double> progress_mm = progress_of(walk);
-      for (double& value : progress_mm) value *= 1e3;
-      progress.series.push_back({.name = name, .x = time_s, .y = std::move(progress_mm), .dashed = dashed});
-      path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
-      if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
       const char* file = command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
       const io::TomlTable result = io::read_toml(output.folder / file);
       const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
+      const bool goes_nowhere = lengths && *lengths < meshes::walk_limits::least_body_lengths;
+      (goes_nowhere ? has_no_walk : has_walk) = true;
+      std::vector<double> progress_mm = goes_nowhere ? distance_from_start(walk) : progress_of(walk);
+      for (double& value : progress_mm) value *= 1e3;
+      progress.series.push_back({.name = name + (goes_nowhere ? " (no walk: distance from its start)" : ""),
+                                 .x = time_s,
+                                 .y = std::move(progress_mm),
+                                 .dashed = dashed});
+      path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
+      if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
       const auto moved_m = result.optional_number("horizontal_displacement_m");
       const double end_s = result.number("time_s");
       std::string direction = shown_number(std::optional<double>());
-      if (result.has("displacement_m")) {
+      if (result.has("displacement_m") && !goes_nowhere) {
         const std::vector<double> vector_m = result.numbers("displacement_m");
         if (vector_m.size() == 3) direction = shown_whole(std::atan2(vector_m[1], vector_m[0]) * 180.0 / std::numbers::pi);
       }
@@ -191,6 +199,14 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
     }
   }
   if (table.rows.empty()) return section;
+  const std::string distance = "the horizontal distance from its start, since the line to its end is chance.";
+  if (has_no_walk && !has_walk) {
+    progress.y.title = "distance of the centre of mass from its start (mm)";
+    progress.note = "What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
+                    " of its length from its start is no walk: drawn is " + distance;
+  } else if (has_no_walk) {
+    progress.note += " Of what is no walk it is " + distance;
+  }
   section.charts = {std::move(progress), std::move(path)};
   if (!energy.series.empty()) section.charts.push_back(std::move(energy));
   section.tables.push_back(std::move(table));

@@ -127,18 +127,25 @@ ValidationFacts validation_facts(const CommandOutput& output) {
   return facts;
 }
 
-/// How far a walk goes along the line from its start to its end, and how far it comes back.
+/// How far a walk goes along the line from its start to its end, how far it comes back, and how far it goes in any direction.
 void add_progress(const CommandOutput& output, const std::vector<double>& moved_m, WalkFacts& facts) {
   const double end_m = std::hypot(moved_m[0], moved_m[1]);
   const std::filesystem::path file = output.folder / "trajectory.csv";
   if (!facts.body_lengths || !(end_m > 0.0) || !io::is_file(file)) return;
+  facts.end_m = end_m;
   const double lengths_per_m = *facts.body_lengths / end_m;
-  for (const double progress_m : progress_of(io::read_csv(file))) {
-    if (!std::isfinite(progress_m)) continue;
-    const double lengths = lengths_per_m * progress_m;
+  const io::CsvContents trajectory = io::read_csv(file);
+  const std::vector<double> progress_m = progress_of(trajectory);
+  for (const double at_m : progress_m) {
+    if (!std::isfinite(at_m)) continue;
+    const double lengths = lengths_per_m * at_m;
     facts.lowest_lengths = std::min(facts.lowest_lengths.value_or(lengths), lengths);
     facts.highest_lengths = std::max(facts.highest_lengths.value_or(lengths), lengths);
   }
+  facts.retreat_lengths = lengths_per_m * largest_retreat(progress_m);
+  for (const double at_m : distance_from_start(trajectory))
+    if (std::isfinite(at_m)) facts.farthest_m = std::max(facts.farthest_m.value_or(at_m), at_m);
+  if (facts.farthest_m) facts.farthest_lengths = lengths_per_m * *facts.farthest_m;
 }
 
 WalkFacts walk_facts(const CommandOutput& output) {

@@ -87,6 +87,10 @@ struct WalkFacts {
   std::optional<double> direction_deg{};
   std::optional<double> lowest_lengths{};       ///< along the line from start to end, body lengths: how far back it comes
   std::optional<double> highest_lengths{};      ///< likewise: how far it goes
+  std::optional<double> retreat_lengths{};      ///< likewise: how far it comes back at most from the furthest that it has been
+  std::optional<double> farthest_lengths{};     ///< the largest horizontal distance from the start, in whatever direction
+  std::optional<double> farthest_m{};           ///< the same
+  std::optional<double> end_m{};                ///< the horizontal distance at the end
   std::vector<std::string> expected_error{};    ///< of a surrogate
   std::vector<std::string> outside_validity{};  ///< of a surrogate
   StatedRun stated{};

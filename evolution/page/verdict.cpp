@@ -240,11 +240,13 @@ bool goes_nowhere(const WalkFacts& walk) {
   return walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths;
 }
 
+/// "on finite elements", "in the surrogate", "as voxels"
+std::string in_model(WalkModel model) {
+  return std::string(model == WalkModel::surrogate ? "in " : model == WalkModel::voxels ? "as " : "on ") + to_string(model);
+}
+
 Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
-  const std::string on = std::string(walk.model == WalkModel::surrogate ? "in "
-                                     : walk.model == WalkModel::voxels  ? "as "
-                                                                        : "on ") +
-                         to_string(walk.model);
+  const std::string on = in_model(walk.model);
   if (!walk.body_lengths || !walk.per_minute) {
     return {Tone::bad,
             begin + "The walk " + on + " ended after " + io::shown(walk.time_s, 3) + " s (" +
@@ -262,18 +264,35 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   return {Tone::caution, text, walk.source};
 }
 
-/// Whether a walk goes to and fro: where it ends, and so its direction, depends on when one looks.
+/// Whether a walk goes to and fro: where it ends, and so its direction, depends on when one looks. It does if it comes back by
+/// more than half of the way to its end. A step back of a walker that then goes on is none.
 bool goes_to_and_fro(const WalkFacts& walk) {
-  if (!walk.body_lengths || !walk.lowest_lengths || !walk.highest_lengths) return false;
-  return *walk.lowest_lengths < -meshes::walk_limits::least_body_lengths ||
-         *walk.highest_lengths > std::max(2.0 * *walk.body_lengths, *walk.body_lengths + meshes::walk_limits::least_body_lengths);
+  constexpr double largest_share = 0.5;
+  if (goes_nowhere(walk) || !walk.body_lengths || !walk.lowest_lengths || !walk.highest_lengths) return false;
+  return walk.retreat_lengths.value_or(0.0) >
+         std::max(meshes::walk_limits::least_body_lengths, largest_share * *walk.body_lengths);
 }
 
 Finding to_and_fro_finding(const WalkFacts& walk, const std::string& begin) {
   return {Tone::caution,
-          begin + "The walk on " + to_string(walk.model) + " goes to and fro: along the line to its end it is between " +
-              io::shown(*walk.lowest_lengths, 2) + " and " + io::body_lengths(*walk.highest_lengths) + ", and ends at " +
-              io::shown(*walk.body_lengths, 2) + ". Its direction and distance depend on when one looks.",
+          begin + "The walk " + in_model(walk.model) + " goes to and fro: along the line to its end it is between " +
+              io::shown(*walk.lowest_lengths, 2) + " and " + io::body_lengths(*walk.highest_lengths) + ", comes back by up to " +
+              io::shown(*walk.retreat_lengths, 2) + ", and ends at " + io::shown(*walk.body_lengths, 2) +
+              ". Its direction and distance depend on when one looks.",
+          walk.source};
+}
+
+/// Whether a body that does not walk goes some way all the same, and comes back.
+bool wanders(const WalkFacts& walk) {
+  return goes_nowhere(walk) && walk.farthest_m && walk.end_m &&
+         walk.farthest_lengths.value_or(0.0) > meshes::walk_limits::least_body_lengths;
+}
+
+/// The line to the end of such a walk is chance: no direction is told.
+Finding wander_finding(const WalkFacts& walk, const std::string& begin) {
+  return {Tone::caution,
+          begin + "What it does " + in_model(walk.model) + " is no walk: it wanders up to " +
+              io::millimetres(*walk.farthest_m, 2) + " from its start, and ends " + io::millimetres(*walk.end_m, 2) + " from it.",
           walk.source};
 }
 
@@ -290,9 +309,9 @@ std::string degrees_text(double angle_deg) {
   return shown + (shown == "1" ? " degree" : " degrees");
 }
 
-/// The angle between two walks; nothing if one of them has no direction.
+/// The angle between two walks; nothing if one of them has no direction, as what is no walk has none.
 std::optional<double> angle_of(const WalkFacts& a, const WalkFacts& b) {
-  if (!a.direction_deg || !b.direction_deg) return std::nullopt;
+  if (!a.direction_deg || !b.direction_deg || goes_nowhere(a) || goes_nowhere(b)) return std::nullopt;
   return meshes::angle_between(*a.direction_deg, *b.direction_deg);
 }
 
@@ -551,6 +570,7 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
     const std::string begin = label_of(walk, facts.walks);
     if (!is_paired) findings.push_back(walk_finding(walk, begin));
     if (goes_to_and_fro(walk)) findings.push_back(to_and_fro_finding(walk, begin));
+    if (wanders(walk)) findings.push_back(wander_finding(walk, begin));
     for (const std::string& line : walk.outside_validity) {
       findings.push_back({Tone::caution,
                           std::string(begin).append("Beyond what the surrogate was fitted to: ").append(line).append("."),

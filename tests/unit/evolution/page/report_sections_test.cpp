@@ -132,6 +132,36 @@ TEST_F(ReportSectionsTest, DrawsHowAWalkComesBack) {
   const WalkFacts facts = read_facts({output("locomote")}, notes_).walks.at(0);
   EXPECT_NEAR(facts.lowest_lengths.value_or(0.0), -0.2, 1e-9);
   EXPECT_NEAR(facts.highest_lengths.value_or(0.0), 0.15, 1e-9);
+  EXPECT_NEAR(facts.retreat_lengths.value_or(0.0), 0.2, 1e-9) << "from the start, before it had gone forth";
+  EXPECT_NEAR(facts.farthest_lengths.value_or(0.0), 0.2, 1e-9);
+  EXPECT_NEAR(facts.farthest_m.value_or(0.0), 0.02, 1e-9);
+}
+
+TEST_F(ReportSectionsTest, DrawsTheDistanceFromTheStartOfWhatIsNoWalk) {
+  write("locomote/trajectory.csv",
+        "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0.001,0,0\n1,-0.013,0,0.014\n2,,,\n"
+        "3,0.001,0.0003,0.0003\n");
+  write("locomote/locomotion.toml",
+        "status = \"completed\"\ntime_s = 3\ndisplacement_m = [0, 0.0003, 0]\nhorizontal_displacement_m = 0.0003\n"
+        "horizontal_displacement_body_lengths = 0.01\n");
+  const PageSection walks = section({output("locomote")}, "walks");
+  const PageChart& progress = walks.charts.at(0);
+  EXPECT_EQ(progress.y.title, "distance of the centre of mass from its start (mm)");
+  EXPECT_NE(progress.note.find("is no walk: drawn is the horizontal distance from its start"), std::string::npos);
+  EXPECT_TRUE(progress.series.at(0).name.ends_with("(no walk: distance from its start)"));
+  EXPECT_NEAR(progress.series.at(0).y.at(1), 14.0, 1e-9) << "across the line to its end, on which it is at 0";
+  EXPECT_NEAR(progress.series.at(0).y.at(3), 0.3, 1e-9);
+  EXPECT_EQ(walks.tables.at(0).rows.at(0).at(4), "\u2013") << "no walk has no direction";
+
+  write("simulate/trajectory.csv",
+        "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0,0,0\n1,-0.01,0,0.01\n2,0.02,0,0.02\n");
+  write("simulate/result.toml",
+        "status = \"completed\"\ntime_s = 2\ndisplacement_m = [0.02, 0, 0]\nhorizontal_displacement_m = 0.02\n"
+        "horizontal_displacement_body_lengths = 0.6\n");
+  const PageChart both = section({output("locomote"), output("simulate")}, "walks").charts.at(0);
+  EXPECT_EQ(both.y.title, "progress of the centre of mass (mm)");
+  EXPECT_NE(both.note.find("Of what is no walk it is the horizontal distance"), std::string::npos);
+  EXPECT_NEAR(both.series.at(1).y.at(1), -10.0, 1e-9) << "a walk is drawn along its line";
 }
 
 TEST_F(ReportSectionsTest, ShowResidualsAndFittedValuesOfACalibration) {

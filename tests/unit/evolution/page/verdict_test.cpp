@@ -289,20 +289,51 @@ TEST(Verdict, SaysThatParametersCameWithMenger) {
   EXPECT_EQ(finding.source, "simulate/manifest.json");
 }
 
-TEST(Verdict, SaysThatAWalkGoesToAndFro) {
+/// A walk along a line, by its lowest, highest and last place on it, and its largest retreat.
+ReportFacts walk_along_a_line(double lowest, double highest, double end, double retreat) {
   ReportFacts facts;
-  facts.walks = {walk(WalkModel::elements, 0.15, 0.0)};
-  facts.walks[0].lowest_lengths = -0.02;
-  facts.walks[0].highest_lengths = 0.17;
-  EXPECT_EQ(finding_with(verdict_of(facts), "to and fro").text, "");
-  facts.walks[0].lowest_lengths = -0.24;
-  EXPECT_EQ(
-      finding_with(verdict_of(facts), "to and fro").text,
-      "The walk on finite elements goes to and fro: along the line to its end it is between -0.24 and 0.17 body lengths, and "
-      "ends at 0.15. Its direction and distance depend on when one looks.");
-  facts.walks[0].lowest_lengths = 0.0;
-  facts.walks[0].highest_lengths = 0.4;
-  EXPECT_NE(finding_with(verdict_of(facts), "to and fro").text, "") << "it comes back to less than half of its way";
+  facts.walks = {walk(WalkModel::elements, end, 0.0)};
+  facts.walks[0].lowest_lengths = lowest;
+  facts.walks[0].highest_lengths = highest;
+  facts.walks[0].retreat_lengths = retreat;
+  return facts;
+}
+
+TEST(Verdict, SaysThatAWalkGoesToAndFro) {
+  const auto found = [](const ReportFacts& facts) { return finding_with(verdict_of(facts), "to and fro").text; };
+  EXPECT_EQ(found(walk_along_a_line(-0.02, 0.17, 0.15, 0.05)), "");
+  EXPECT_EQ(found(walk_along_a_line(-0.24, 0.17, 0.15, 0.3)),
+            "The walk on finite elements goes to and fro: along the line to its end it is between -0.24 and 0.17 body lengths, "
+            "comes back by up to 0.3, and ends at 0.15. Its direction and distance depend on when one looks.");
+  EXPECT_NE(found(walk_along_a_line(0.0, 0.4, 0.15, 0.25)), "") << "it comes back to less than half of its way";
+}
+
+TEST(Verdict, DoesNotCallAStepBackAtTheBeginningToAndFro) {
+  EXPECT_EQ(finding_with(verdict_of(walk_along_a_line(-0.12, 1.2, 1.1, 0.15)), "to and fro").text, "");
+}
+
+TEST(Verdict, TellsHowFarABodyWandersThatDoesNotWalk) {
+  ReportFacts facts = walk_along_a_line(-0.068, 0.3, 0.0097, 0.3);
+  facts.walks[0].direction_deg = -140.0;
+  facts.walks[0].farthest_lengths = 0.39;
+  facts.walks[0].farthest_m = 0.014;
+  facts.walks[0].end_m = 0.00035;
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_EQ(finding_with(verdict, "to and fro").text, "") << "the line to its end is chance";
+  EXPECT_EQ(finding_with(verdict, "wanders").text,
+            "What it does on finite elements is no walk: it wanders up to 14 mm from its start, and ends 0.35 mm from it.");
+  for (const Finding& finding : verdict.findings) EXPECT_EQ(finding.text.find("degrees"), std::string::npos) << finding.text;
+
+  WalkFacts finer = facts.walks[0];
+  finer.direction_deg = 20.0;
+  facts.walks.push_back(finer);
+  const Verdict both = verdict_of(facts);
+  EXPECT_NE(finding_with(both, "2 walks on finite elements").text.find("It does not walk."), std::string::npos);
+  for (const Finding& finding : both.findings) EXPECT_EQ(finding.text.find("degrees"), std::string::npos) << finding.text;
+
+  facts.walks.resize(1);
+  facts.walks[0].farthest_lengths = 0.05;
+  EXPECT_EQ(finding_with(verdict_of(facts), "wanders").text, "") << "it stays where it is";
 }
 
 TEST(Verdict, JudgesShapesByTheirMedianError) {
