@@ -323,7 +323,7 @@ std::string worst_text(const ShapeErrors& errors) {
 
 /// "6 of 36 displacements go the wrong way (the extent along y)"
 std::string wrong_way_text(const ShapeErrors& errors) {
-  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way (" +
+  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements of 0.2 mm and more go the wrong way (" +
          io::joined(errors.wrong_ways) + ")";
 }
 

@@ -338,12 +338,12 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
     if (elements.per_minute) judged.surrogate = Tone::bad;
     return judged;
   }
-  text += (goes_nowhere(elements) || goes_nowhere(surrogate) ? "It moves " : "It walks ") + speed_text(*elements.per_minute) +
-          " on finite elements and " + speed_number(*surrogate.per_minute) + " " + other;
+  text += (!is_known || goes_nowhere(elements) || goes_nowhere(surrogate) ? "It moves " : "It walks ") +
+          speed_text(*elements.per_minute) + " on finite elements and " + speed_number(*surrogate.per_minute) + " " + other;
   const meshes::WalkAgreement agreement = agreement_of(elements, surrogate);
   const bool both_walk =
       agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
-  if (const auto angle_deg = angle_of(elements, surrogate); angle_deg && both_walk) {
+  if (const auto angle_deg = angle_of(elements, surrogate); angle_deg && both_walk && is_known) {
     const bool differs = *angle_deg > meshes::walk_limits::same_direction_deg;
     text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
   }

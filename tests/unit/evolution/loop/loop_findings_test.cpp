@@ -256,7 +256,8 @@ TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {
   expect_has(found("validate"), "(medians); the surrogate ends after 11 of 12 states (wall_contact, walls meet)");
   write("0.1", "5");
   expect_has(verdict(),
-             "Do not trust the surrogate for this body: its shape is 10 % off in the median; 5 of 10 displacements go the "
+             "Do not trust the surrogate for this body: its shape is 10 % off in the median; 5 of 10 displacements of 0.2 mm and "
+             "more go the "
              "wrong way (the extent along x)");
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate for this body: its shape is 30 % off");
