@@ -420,5 +420,18 @@ TEST_F(StudyFile, NotesWhatKeepsAGraphicsProcessorIdle) {
   EXPECT_FALSE(noted("device = \"cuda\"\n[population]\nselection = \"steady_state\"\n", "graphics processor"));
 }
 
+// A schema knows each key alone; which go together only the reader knows.
+TEST(StudiesOfTheTree, CanBeRead) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(MENGER_SOURCE_DIR "/paper")) {
+    const std::filesystem::path& file = entry.path();
+    if (file.extension() != ".toml" || file.parent_path().filename() == "presets") continue;
+    if (io::read_whole(file).find("\npreset = ") == std::string::npos) continue;
+    ++count;
+    EXPECT_NO_THROW((void)read_study(file)) << file;
+  }
+  EXPECT_GT(count, 20U);
+}
+
 }  // namespace
 }  // namespace menger::evolution
