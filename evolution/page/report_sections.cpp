@@ -131,6 +131,22 @@ std::string model_of(const CommandOutput& output) {
   return output.is_calibrated ? "surrogate" : "voxels";
 }
 
+/// Says in a chart of progress of which series it is the distance from the start. @param are_walks whether a series is of a walk
+void tell_what_is_no_walk(const std::vector<bool>& are_walks, PageChart& progress) {
+  if (std::ranges::find(are_walks, false) == are_walks.end()) return;
+  const std::string distance = "the horizontal distance from its start, since the line to its end is chance.";
+  if (std::ranges::find(are_walks, true) == are_walks.end()) {
+    progress.title = "Distance from the start over time";
+    progress.y.title = "distance of the centre of mass from its start (mm)";
+    progress.note = "What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
+                    " of its length from its start is no walk: drawn is " + distance;
+    return;
+  }
+  progress.note += " Of what is no walk it is " + distance;
+  for (std::size_t n = 0; n < are_walks.size(); ++n)
+    if (!are_walks[n]) progress.series[n].name += " (no walk: distance from its start)";
+}
+
 /// All walks in one chart of progress over time, one of paths seen from above, and one table.
 PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes) {
   PageSection section{.title = "Walks", .id = "walks"};
@@ -141,8 +157,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                      .note =
                          "Along the line from start to end of each walk: it ends at its distance, and falls where the body goes "
                          "back. Where a walk goes to and fro, distance and direction depend on when one looks."};
-  bool has_walk = false;
-  bool has_no_walk = false;
+  std::vector<bool> are_walks;  // by series
   PageChart path{.title = "Paths seen from above",
                  .x = {.title = "x (mm)"},
                  .y = {.title = "y (mm)"},
@@ -172,13 +187,10 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       const io::TomlTable result = io::read_toml(output.folder / file);
       const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
       const bool goes_nowhere = lengths && *lengths < meshes::walk_limits::least_body_lengths;
-      (goes_nowhere ? has_no_walk : has_walk) = true;
       std::vector<double> progress_mm = goes_nowhere ? distance_from_start(walk) : progress_of(walk);
       for (double& value : progress_mm) value *= 1e3;
-      progress.series.push_back({.name = name + (goes_nowhere ? " (no walk: distance from its start)" : ""),
-                                 .x = time_s,
-                                 .y = std::move(progress_mm),
-                                 .dashed = dashed});
+      progress.series.push_back({.name = name, .x = time_s, .y = std::move(progress_mm), .dashed = dashed});
+      are_walks.push_back(!goes_nowhere);
       path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
       if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
       const auto moved_m = result.optional_number("horizontal_displacement_m");
@@ -199,14 +211,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
     }
   }
   if (table.rows.empty()) return section;
-  const std::string distance = "the horizontal distance from its start, since the line to its end is chance.";
-  if (has_no_walk && !has_walk) {
-    progress.y.title = "distance of the centre of mass from its start (mm)";
-    progress.note = "What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
-                    " of its length from its start is no walk: drawn is " + distance;
-  } else if (has_no_walk) {
-    progress.note += " Of what is no walk it is " + distance;
-  }
+  tell_what_is_no_walk(are_walks, progress);
   section.charts = {std::move(progress), std::move(path)};
   if (!energy.series.empty()) section.charts.push_back(std::move(energy));
   section.tables.push_back(std::move(table));

@@ -33,7 +33,7 @@ std::string value_text(const toml::node& node);
 /// "[0, 2500]"; "[...]" for what is long or holds tables.
 std::string array_text(const toml::array& array) {
   constexpr std::size_t longest = 60;
-  const std::string left_out = "[...]";
+  constexpr const char* left_out = "[...]";
   std::string text = "[";
   for (const toml::node& value : array) {
     if (value.is_table()) return left_out;

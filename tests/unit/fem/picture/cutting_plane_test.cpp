@@ -45,8 +45,9 @@ std::vector<ElementBox> hollow_body(const Layers& layers) {
           const std::array<int, 3> cell{x, y, z};
           ElementBox box;
           for (std::size_t i = 0; i < 3; ++i) {
-            box[0][i] = cell[i] * edge_m + planes[static_cast<std::size_t>(at[i] + 1)];
-            box[1][i] = cell[i] * edge_m + planes[static_cast<std::size_t>(at[i] + 2)];
+            const auto first = static_cast<std::size_t>(at[i]) + 1;  // from -1, 0, 1
+            box[0][i] = cell[i] * edge_m + planes.at(first);
+            box[1][i] = cell[i] * edge_m + planes.at(first + 1);
           }
           boxes.push_back(box);
         }
