@@ -519,11 +519,20 @@ std::optional<double> expected_displacement_error(const std::string& line) {
   return fault == std::errc() && rest == line.data() + end ? std::optional(0.01 * percents) : std::nullopt;
 }
 
-/// Adds what the surrogate of a walk is expected to be off, beside what was measured on one body. Where no other body is known,
+/// Whether all walks are of one body. What a validation of one body says is then of this one: it does not state which it had.
+bool are_of_one_body(const std::vector<WalkFacts>& walks) {
+  return std::ranges::all_of(walks, [&](const WalkFacts& other) {
+    return &other == &walks.front() || are_of_one_body(walks.front().stated, other.stated);
+  });
+}
+
+/// Adds what the surrogate of a walk is expected to be off, beside what was measured on its body. Where no other body is known,
 /// the expected error is that measured one, which has a finding of its own.
-void add_expected_errors(const WalkFacts& walk, const std::vector<ValidationFacts>& validations, const std::string& begin,
+void add_expected_errors(const WalkFacts& walk, const ReportFacts& facts, const std::string& begin,
                          std::vector<Finding>& findings) {
-  const bool is_measured = validations.size() == 1 && validations.front().bodies == 1 && validations.front().displacement.median;
+  const std::vector<ValidationFacts>& validations = facts.validations;
+  const bool is_measured = validations.size() == 1 && validations.front().bodies == 1 &&
+                           validations.front().displacement.median && are_of_one_body(facts.walks);
   const auto is_of_one = [](const std::string& line) { return line.find("over 1 body") != std::string::npos; };
   if (is_measured && std::ranges::any_of(walk.expected_error, is_of_one)) return;
   for (const std::string& line : walk.expected_error) {
@@ -576,7 +585,7 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
                           std::string(begin).append("Beyond what the surrogate was fitted to: ").append(line).append("."),
                           walk.source});
     }
-    add_expected_errors(walk, facts.validations, begin, findings);
+    add_expected_errors(walk, facts, begin, findings);
   }
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
   const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
@@ -744,11 +753,13 @@ Verdict verdict_of(const ReportFacts& facts) {
   verdict.headline = pressure_headline(facts, verdict.tone);
   verdict.headline += trust_headline(facts, walks, verdict.headline, verdict.tone);
   // Walks come first in the headline, and must not hide that a shape is wrong.
-  const bool is_wrong = std::ranges::any_of(facts.validations, [](const ValidationFacts& one) {
+  const auto wrong = std::ranges::find_if(facts.validations, [](const ValidationFacts& one) {
     return is_all_outside(one) || (one.bodies == 1 && one.displacement.median && tone_of(one) == Tone::bad);
   });
-  if (is_wrong && verdict.headline.find("Do not trust the surrogate") == std::string::npos) {
-    verdict.headline += " Do not trust the surrogate for the shape of this body.";
+  if (wrong != facts.validations.end() && verdict.headline.find("Do not trust the surrogate") == std::string::npos) {
+    const std::string& name = wrong->displacement.worst_body;
+    verdict.headline += " Do not trust the surrogate for the shape of " +
+                        (are_of_one_body(facts.walks) || name.empty() ? "this body" : "another body here, " + name) + ".";
     verdict.tone = Tone::bad;
   }
   while (verdict.headline.ends_with(' ')) verdict.headline.pop_back();

@@ -272,6 +272,11 @@ TEST(Verdict, PutsTheMeasuredErrorBesideTheExpectedOne) {
   facts.validations[0].displacement = {.count = 30, .median = 0.26};
   EXPECT_TRUE(finding.source.ends_with(", validate/summary.csv")) << finding.source;
   EXPECT_EQ(finding_with(verdict_of(facts), "Warning: 10 of 248").text.find("Measured"), std::string::npos);
+  // Where other bodies walk, too, the validation may have had one of them.
+  facts.walks.push_back(walk(WalkModel::elements, 0.8, 0.0));
+  facts.walks[1].stated.body.reset();
+  EXPECT_EQ(finding_with(verdict_of(facts), "Expected error for a block").text.find("Measured"), std::string::npos);
+  facts.walks.pop_back();
   // After a fit the only body of its kind is the robot itself.
   facts.walks[0].expected_error[0] = "expected error for a block: 26 % in displacement (median over 1 body of this kind)";
   EXPECT_EQ(finding_with(verdict_of(facts), "Expected error").text, "");
