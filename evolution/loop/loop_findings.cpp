@@ -172,7 +172,9 @@ std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
     return "at " + kilopascals(pressure_Pa) + " it holds " + air_text(growth->whole);
   const std::string least = air_text(growth->least);
   const std::string most = air_text(growth->most);
-  return "at " + driven_text(robot, pressure_Pa) + " each of these holds " + (least == most ? least : least + " to " + most);
+  const bool has_one_unit = growth->least >= 1.0 && least != most;  // "20 to 50 % more air"
+  return "at " + driven_text(robot, pressure_Pa) + " each of these holds " +
+         (least == most ? least : (has_one_unit ? least.substr(0, least.find(' ')) : least) + " to " + most);
 }
 
 /// The limit pressure that the search for it found, in which all chambers have one pressure.
@@ -323,8 +325,8 @@ std::string worst_text(const ShapeErrors& errors) {
 
 /// "6 of 36 displacements go the wrong way (the extent along y)"
 std::string wrong_way_text(const ShapeErrors& errors) {
-  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements of 0.2 mm and more go the wrong way (" +
-         io::joined(errors.wrong_ways) + ")";
+  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements of " +
+         millimetres(meshes::smallest_signed_m) + " and more go the wrong way (" + io::joined(errors.wrong_ways) + ")";
 }
 
 /// Returns the last line of a log that begins with a word.
@@ -452,7 +454,9 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
   const double safe_Pa = meshes::largest_safe_share * least_Pa;
   const std::optional<SoftestLaw> softest = softest_law(robot, least_Pa);
   const double softest_safe_Pa = softest ? meshes::largest_safe_share * softest->limit_Pa : safe_Pa;
-  const std::string too_high = " These elements put limit pressures 6 to 12 % too high; 12 % are taken off here.";
+  const std::string too_high = " These elements put limit pressures " + meshes::thin_wall_excess_text() +
+                               " too high; they are divided by " + io::shown(1.0 + meshes::largest_thin_wall_excess, 3) +
+                               " here.";
   std::string lower = "lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less";
   if (softest)
     lower += ", or to " + kilopascals(softest_safe_Pa) + " for the softest law of its silicone (" + softest->name + ")";

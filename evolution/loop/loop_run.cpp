@@ -183,7 +183,8 @@ class LoopRun {
     if (request_.results.empty() || io::is_file(places_.results / loop_state_name)) return;
     std::vector<std::string> names;
     std::error_code error;
-    if (fs::exists(places_.results / "report.html", error)) names.emplace_back("report.html");
+    for (const char* file : {"manifest.json", "report.html"})
+      if (fs::exists(places_.results / file, error)) names.emplace_back(file);
     for (const LoopStage& stage : stages_)
       if (fs::exists(places_.results / stage.name, error)) names.push_back(stage.name);
     if (!names.empty())
@@ -197,7 +198,7 @@ class LoopRun {
     meshes::take_champion(body, places_);
     for (const std::string& line : loop_forecast(body, places_)) out_ << line << '\n';
     for (const std::string& change : robot_changes(places_.results / "manifest.json", io::described_text(robot_)))
-      out_ << "changed since the last run: " << change << '\n';
+      out_ << "changed since the last finished run: " << change << '\n';
     out_ << std::flush;
   }
 

@@ -35,7 +35,7 @@ Values values_of(const std::string& manifest) {
 }  // namespace
 
 std::vector<std::string> robot_changes(const std::filesystem::path& manifest, const std::string& parameters) {
-  if (!io::is_file(manifest)) return {};
+  if (!io::is_file(manifest) || io::program_of_manifest(manifest) != "menger-loop") return {};
   const Values before = values_of(io::read_whole(manifest));
   if (before.empty()) return {};
   const Values now = values_of(io::manifest_text({.program = {}, .parameters = parameters, .seed = std::nullopt, .inputs = {}}));

@@ -96,7 +96,7 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
   } else if (name == "winner/strip.png") {
     caption = "The best robot of the re-evaluation, at several times of its walk.";
   } else if (name == "worst.png") {
-    caption = "The state in which the surrogate is furthest off, in millimetres over the length of the body.";
+    caption = "The state in which the surrogate is furthest off; the picture says by how much.";
   } else {
     caption = "Shapes of the robot in both models, over the pressure.";
   }

@@ -409,7 +409,7 @@ void add_load_cases(const CommandOutput& output, PageSection& section) {
 void add_search(const CommandOutput& output, const std::vector<CommandOutput>& outputs, PageSection& section) {
   const SearchTables tables = read_search_tables(output, outputs);
   const std::string best = fitness_column(tables.generations);
-  const std::string unit = best.ends_with("_body_lengths") ? "body lengths" : "m\u00b2";
+  const std::string unit = fitness_unit(tables);
   const std::vector<double> generations = column_of(tables.generations, "generation");
   PageChart chart{.title = "Progress of the search: " + tables.source,
                   .x = {.title = "generation"},
@@ -439,14 +439,14 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
     for (std::size_t row = 0; row < lineage.row_count(); ++row)
       line.labels.push_back("individual " + text_in(lineage, row, "individual") + ", " + text_in(lineage, row, "cells") +
                             " cells, " + text_in(lineage, row, "phenotype"));
-    section.charts.push_back({.title = "Lineage of " + tables.lineage_of + ": " + tables.source,
+    section.charts.push_back({.title = "Lineage of " + tables.lineage_of + ": " + tables.lineage_source,
                               .x = {.title = "generation of birth"},
                               .y = {.title = "fitness (" + unit + ")"},
                               .series = {std::move(line)},
                               .note = "Each point is the parent of the next."});
   }
-  section.tables.push_back(
-      shown_table("Lineage of " + tables.lineage_of + ": " + tables.source, lineage, lineage.columns(), tables.source));
+  section.tables.push_back(shown_table("Lineage of " + tables.lineage_of + ": " + tables.lineage_source, lineage,
+                                       lineage.columns(), tables.lineage_source));
 }
 
 void add_reevaluation(const CommandOutput& output, PageSection& section) {

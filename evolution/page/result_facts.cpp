@@ -102,13 +102,13 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .percentile_90 = summary.has("percentile_90") ? number_in(summary, row, "percentile_90") : std::nullopt,
                   .worst = number_in(summary, row, "worst"),
                   .worst_body = text_in(summary, row, "worst_body"),
-                  .worst_observable = io::shown_column(text_in(summary, row, "worst_observable")).quantity,
+                  .worst_observable = io::displacement_words(text_in(summary, row, "worst_observable")),
                   .median_m = number_in(summary, row, "median_m"),
                   .worst_m = number_in(summary, row, "worst_m"),
                   .furthest_m = number_in(summary, row, "furthest_m"),
                   .furthest_error = number_in(summary, row, "furthest_error"),
                   .furthest_body = text_in(summary, row, "furthest_body"),
-                  .furthest_observable = io::shown_column(text_in(summary, row, "furthest_observable")).quantity};
+                  .furthest_observable = io::displacement_words(text_in(summary, row, "furthest_observable"))};
   }
   facts.bodies = bodies.size();
   const std::filesystem::path signs_file = output.folder / "signs.csv";
@@ -213,7 +213,7 @@ SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandO
   const io::CsvContents& generations = tables.generations;
   facts.generations = generations.row_count();
   const std::string fitness = fitness_column(generations);
-  facts.unit = fitness.ends_with("_body_lengths") ? "body lengths" : "m\u00b2";
+  facts.unit = fitness_unit(tables);
   double evaluations = 0.0;
   for (std::size_t row = 0; row < generations.row_count(); ++row) {
     const auto value = number_in(generations, row, fitness);
@@ -228,9 +228,8 @@ SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandO
     evaluations += number_in(generations, row, "evaluations").value_or(0.0);
   }
   facts.evaluations = evaluations;
-  if (facts.unit == "body lengths" && facts.last_fitness)
-    facts.is_walk = *facts.last_fitness * tables.periods_in_walk.value_or(1.0) >= meshes::walk_limits::least_body_lengths;
-  if (tables.periods_in_walk) facts.unit += " in a period of the drive";
+  if (fitness.ends_with("_body_lengths") && facts.last_fitness && tables.walk_over_fitness)
+    facts.is_walk = *facts.last_fitness * *tables.walk_over_fitness >= meshes::walk_limits::least_body_lengths;
   return facts;
 }
 

@@ -34,15 +34,21 @@ bool reads_study(const CommandOutput& output, const std::string& hash) {
   return std::ranges::any_of(output.inputs, [&](const auto& input) { return input.second == hash; });
 }
 
-/// The lineage in an export of an archive, if there is one of as many generations.
-std::optional<io::CsvContents> lineage_of_export(const std::string& study_hash, std::size_t generations,
-                                                 const std::vector<CommandOutput>& outputs) {
+/// Sets the lineage to that in an export of an archive, if there is one of as many generations that can be read.
+void take_exported_lineage(SearchTables& tables, const std::string& study_hash, const std::vector<CommandOutput>& outputs) {
   for (const CommandOutput& output : outputs) {
     if (command_of(output) != "export" || !reads_study(output, study_hash)) continue;
     const fs::path table = output.folder / "generations.csv";
-    if (io::is_file(table) && io::read_csv(table).row_count() == generations) return exported_lineage(output);
+    try {
+      if (!io::is_file(table) || io::read_csv(table).row_count() != tables.generations.row_count()) continue;
+      tables.lineage = exported_lineage(output);
+    } catch (const io::InputError&) {
+      continue;  // a damaged export says nothing of its archive
+    }
+    if (!tables.lineage) continue;
+    tables.lineage_source = file_of(output, "lineage.csv");
+    return;
   }
-  return std::nullopt;
 }
 
 SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<CommandOutput>& outputs) {
@@ -55,10 +61,13 @@ SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<C
   SearchTables tables{.source = file_of(evolved, file.filename().string()),
                       .generations = io::parse_csv(generations_table(run).text(), file),
                       .lineage = std::nullopt};
-  if (const auto measured = measured_periods(study)) tables.periods_in_walk = study.duration_s / measured->period_s;
-  tables.lineage = lineage_of_export(io::content_hash(archive.study()), tables.generations.row_count(), outputs);
+  const auto measured = measured_periods(study);
+  tables.is_of_period = measured.has_value();
+  tables.walk_over_fitness = measured ? study.duration_s / measured->period_s : 1.0;
+  take_exported_lineage(tables, io::content_hash(archive.study()), outputs);
   if (tables.lineage) return tables;
   tables.lineage_of = "the fittest robot";
+  tables.lineage_source = tables.source;
   if (const auto fittest = summarise_generation(run, *last).champion)
     tables.lineage = io::parse_csv(lineage_table(run, fittest->individual.id).text(), file);
   return tables;
@@ -67,7 +76,8 @@ SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<C
 SearchTables exported_tables(const CommandOutput& exported) {
   return {.source = file_of(exported, "generations.csv"),
           .generations = io::read_csv(exported.folder / "generations.csv"),
-          .lineage = exported_lineage(exported)};
+          .lineage = exported_lineage(exported),
+          .lineage_source = file_of(exported, "lineage.csv")};
 }
 
 /// The hash of the study in an archive, by which exports name it; empty if it cannot be read.
@@ -97,6 +107,11 @@ std::vector<const CommandOutput*> searches_in(const std::vector<CommandOutput>& 
   for (const CommandOutput& output : outputs)
     if (command_of(output) == "evolve" || (command_of(output) == "export" && !is_archived(output))) searches.push_back(&output);
   return searches;
+}
+
+std::string fitness_unit(const SearchTables& tables) {
+  const std::string unit = fitness_column(tables.generations).ends_with("_body_lengths") ? "body lengths" : "m\u00b2";
+  return unit + (tables.is_of_period ? " in a period of the drive" : "");
 }
 
 std::string fitness_column(const io::CsvContents& generations) {

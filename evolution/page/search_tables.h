@@ -15,9 +15,11 @@ struct SearchTables {
   io::CsvContents generations;
   std::optional<io::CsvContents> lineage;  ///< of the robot below, if a design has a fitness
   std::string lineage_of = "the champion";
-  /// How many periods a walk lasts, where the fitness is the displacement in one of them; none where it is that of the whole
-  /// walk, or an export does not say.
-  std::optional<double> periods_in_walk{};
+  std::string lineage_source{};  ///< as source
+  /// How many times as far as its fitness a robot walks: the number of periods if the fitness is the displacement in one, else 1.
+  /// None if it is not known: an export does not say.
+  std::optional<double> walk_over_fitness{};
+  bool is_of_period = false;  ///< whether the fitness is known to be the displacement in a period
 };
 
 /// Reads the tables of a search: those that menger export wrote, or those of the archive that menger evolve wrote. Which robot is
@@ -30,6 +32,9 @@ SearchTables read_search_tables(const CommandOutput& output, const std::vector<C
 /// Returns the outputs that stand for searches: all archives, and the exports of archives that are not among the outputs. An
 /// export is that of an archive if both have the same study, whatever the files are called.
 std::vector<const CommandOutput*> searches_in(const std::vector<CommandOutput>& outputs);
+
+/// Returns the unit of the fitness, for people: "body lengths in a period of the drive".
+std::string fitness_unit(const SearchTables& tables);
 
 /// Returns the name of the column that has the best fitness, which depends on the objective; empty if there is none.
 std::string fitness_column(const io::CsvContents& generations);

@@ -114,8 +114,8 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
                   ": there the pressure stops rising while the volume grows (limit point). Up to " +
                   io::kilopascals(safe_share(facts) * limit_Pa) + " it is 20 % or more below that";
   if (facts.stated.elements == "thin_wall")
-    finding.text +=
-        " and below what it may be: thin walls put limit pressures 6 to 12 % higher than three-field elements do (fem/README.md)";
+    finding.text += " and below what it may be: thin walls put limit pressures " + meshes::thin_wall_excess_text() +
+                    " higher than three-field elements do (fem/README.md)";
   finding.text += ".";
   if (known.drive_Pa) {
     const double share = *known.drive_Pa / limit_Pa;
@@ -218,9 +218,10 @@ Finding validation_finding(const ValidationFacts& facts) {
     if (has_bodies) text += ", of " + shapes.worst_body;
     if (shapes.worst_m) text += (has_bodies ? " in " : ", in ") + shapes.worst_observable;
   }
-  if (shapes.furthest_m && shapes.furthest_error && shapes.worst_m && *shapes.furthest_m != *shapes.worst_m) {
-    text += "; furthest off, by " + io::millimetres(*shapes.furthest_m) + " or " + io::percents(*shapes.furthest_error) +
-            ", is " + (has_bodies ? shapes.furthest_body + " in " : "") + shapes.furthest_observable;
+  if (shapes.furthest_m && shapes.furthest_error && shapes.worst_m && *shapes.worst_m < *shapes.furthest_m) {
+    text += "; furthest off over the length of its body, by " + io::millimetres(*shapes.furthest_m) + " or " +
+            io::percents(*shapes.furthest_error) + ", is " + (has_bodies ? shapes.furthest_body + " in " : "") +
+            shapes.furthest_observable;
   }
   text += ")";
   if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
@@ -772,9 +773,9 @@ std::vector<std::string> judging_words() {
           ", and not above " + io::percents(judged_by::usable_error) + ". Those of one body, such as a robot in a loop, up to " +
           io::percents(meshes::largest_shape_error) + ", if no displacement goes the wrong way.",
       "A pressure is safe up to " + io::percents(meshes::largest_safe_share) +
-          " of the limit pressure, of thin walls, which put it up to 12 % too high, up to " +
-          io::percents(meshes::largest_safe_share * meshes::least_limit_of_thin_walls_Pa(1.0)) +
-          "; above, small faults of a cast wall decide.",
+          " of the limit pressure; above, small faults of a cast wall decide. Thin walls put it " +
+          meshes::thin_wall_excess_text() + " too high, so that " +
+          io::percents(meshes::largest_safe_share * meshes::least_limit_of_thin_walls_Pa(1.0)) + " of theirs are safe.",
       "A walk below " + io::shown(meshes::walk_limits::least_body_lengths) +
           " body lengths is none. Two walks, of both models or of two meshes, agree if neither is more than " +
           io::shown(meshes::walk_limits::same_speed) + " times as fast as the other and their directions are within " +

@@ -15,7 +15,7 @@ constexpr double largest_looked_up = 0.8;  // relative to the reach: nearer to i
 constexpr double no_path = 1e-12;          // displacement relative to the shortest edge; stands for the rounding of depths
 constexpr double nothing_paid = 1e-18;     // relative to the square of the shortest edge
 
-/// Whether a point is surely in front of every point of a face: these lie between the corners.
+/// Whether a point is surely in front of every point of a face: each of them is a mean of the corners.
 bool is_in_front(const FaceCorners& corners, const Point& normal, const Point& point) {
   return std::all_of(corners.begin(), corners.end(),
                      [&](const Point& corner) { return dot(difference(point, corner), normal) > 0.0; });

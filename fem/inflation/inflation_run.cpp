@@ -365,7 +365,8 @@ class InflationRun {
     double after = 0.0;
     for (const double volume : first.plenum_volumes_m3) before += volume;
     for (const double volume : last.plenum_volumes_m3) after += volume;
-    return pressures_text(last.pressures_Pa) + (last.plenum_volumes_m3.size() > 1 ? ", volume of all " : ", chamber volume ") +
+    return pressures_text(last.pressures_Pa) +
+           (last.plenum_volumes_m3.size() > 1 ? ", volume of all chambers " : ", chamber volume ") +
            io::formatted("%+.3g", 100.0 * (after / before - 1.0)) + " %";
   }
 

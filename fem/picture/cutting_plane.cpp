@@ -74,7 +74,7 @@ class SiliconeGrid {
   std::vector<char> is_silicone_;
 };
 
-/// Squares of a layer of a grid that touch, over sides, one by one.
+/// A square of a layer of a grid, by its numbers along both sides of the layer.
 struct Square {
   std::size_t u;
   std::size_t v;

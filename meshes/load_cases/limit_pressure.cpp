@@ -2,7 +2,13 @@
 
 #include <set>
 
+#include "io/text/formatted.h"
+
 namespace menger::meshes {
+
+std::string thin_wall_excess_text() {
+  return io::formatted("%.0f to ", 100.0 * least_thin_wall_excess) + io::formatted("%.0f %%", 100.0 * largest_thin_wall_excess);
+}
 
 std::optional<LimitPressure> limit_pressure(const io::TomlTable& inflation) {
   std::optional<LimitPressure> least;

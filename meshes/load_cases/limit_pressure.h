@@ -16,12 +16,16 @@ struct LimitPressure {
 /// Above this share of the limit pressure small faults of a cast wall decide.
 inline constexpr double largest_safe_share = 0.8;
 
-/// Returns the least that the limit pressure of a body may be, Pa, by one of thin walls: these came out 6 to 12 % higher than those
-/// of three-field elements (fem/README.md, Load cases). @param limit_Pa of thin walls
-constexpr double least_limit_of_thin_walls_Pa(double limit_Pa) {
-  constexpr double largest_excess = 0.12;
-  return limit_Pa / (1.0 + largest_excess);
-}
+/// By how much limit pressures of thin walls came out higher than those of three-field elements, at least and at most
+/// (fem/README.md, Load cases).
+inline constexpr double least_thin_wall_excess = 0.06;
+inline constexpr double largest_thin_wall_excess = 0.12;
+
+/// "6 to 12 %": those excesses
+std::string thin_wall_excess_text();
+
+/// Returns the least that the limit pressure of a body may be, Pa. @param limit_Pa of thin walls
+constexpr double least_limit_of_thin_walls_Pa(double limit_Pa) { return limit_Pa / (1.0 + largest_thin_wall_excess); }
 
 /// Returns the least limit pressure above 0 of a body, from the result (result.toml) of its inflation.
 ///

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"

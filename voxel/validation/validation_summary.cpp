@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "meshes/load_cases/shape_agreement.h"
+
 namespace menger::voxel {
 
 namespace {
@@ -173,7 +175,7 @@ std::vector<SignCount> count_signs(const std::vector<CurveComparison>& compariso
   for (const CurveComparison& comparison : comparisons) {
     for (const ObservableError& error : comparison.errors) {
       const bool counts_here = error.kind == ObservableKind::displacement && error.validity == Validity::inside &&
-                               std::abs(error.reference) >= smallest_signed_m;
+                               std::abs(error.reference) >= meshes::smallest_signed_m;
       if (!counts_here) continue;
       auto at = std::ranges::find_if(
           counts, [&](const SignCount& count) { return count.body == comparison.body && count.observable == error.observable; });

@@ -88,11 +88,8 @@ struct SignCount {
   bool operator==(const SignCount&) const = default;
 };
 
-/// Displacements smaller than this have no sign that matters, m.
-inline constexpr double smallest_signed_m = 2e-4;
-
 /// Counts the displacements inside the range of validity whose sign is wrong. Only those count that the reference moves by
-/// smallest_signed_m or more. One entry per body and observable with any such number, in the order of the curves.
+/// meshes::smallest_signed_m or more. One entry per body and observable with any such number, in the order of the curves.
 std::vector<SignCount> count_signs(const std::vector<CurveComparison>& comparisons);
 
 /// The errors of one kind of observable, over all bodies, compared with an aim.

@@ -8,6 +8,7 @@
 #include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/joined_text.h"
+#include "meshes/load_cases/shape_agreement.h"
 
 namespace menger::voxel {
 
@@ -130,7 +131,7 @@ std::string sign_sentence(const std::vector<CurveComparison>& comparisons) {
                       std::to_string(signs.count) + ")");
   }
   return "sign: " + std::to_string(count - wrong) + " of " + std::to_string(count) + " displacements of at least " +
-         io::formatted("%.1f mm", 1e3 * smallest_signed_m) + " go the right way" +
+         io::formatted("%.1f mm", 1e3 * meshes::smallest_signed_m) + " go the right way" +
          (which.empty() ? "" : "; the wrong way: " + io::joined(which));
 }
 

@@ -67,7 +67,7 @@ TEST_F(LoopFindings, TellWhatTheFilesOfAStageHold) {
   io::write_whole(folder_ / "inflate/curves.csv",
                   "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,2e-6\n"
                   "1,3000,1.5e-6,0,2e-6\n2,0,1e-6,3000,2.4e-6\n");
-  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material each of these holds 20 % more air to 50 % more air");
+  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material each of these holds 20 to 50 % more air");
   robot_.drive = meshes::RobotDrive::in_phase;
   io::write_whole(folder_ / "mesh/mesh_quality.csv",
                   "quantity,value\nelements,3\nsolid volume_m3,2e-6\nchamber 0 volume_m3,1e-6\nchamber 1 volume_m3,1e-6\n");
@@ -86,7 +86,7 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
   // 12 kPa of thin walls may be 12 / 1.12 = 10.7 kPa, of which 80 % are safe.
   expect_has(verdict(),
              "The body bears its pressure: up to 8.57 kPa it is 20 % or more below ballooning. These elements put limit "
-             "pressures 6 to 12 % too high; 12 % are taken off here.");
+             "pressures 6 to 12 % too high; they are divided by 1.12 here.");
   EXPECT_EQ(verdict().find("softest law"), std::string::npos);
   // The softest law of Dragon Skin 10 has 0.46 times the shear modulus.
   EXPECT_NEAR(softest_limit_Pa(folder_, robot_).value(), 0.464 * 12000.0 / 1.12, 5.0);

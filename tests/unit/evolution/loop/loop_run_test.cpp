@@ -539,8 +539,9 @@ TEST_F(LoopRunTest, TellsWhatChangedSinceTheLastRun) {
   change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
   add("[walk]\nduration_s = 2\n");
   ASSERT_EQ(run("mesh"), io::exit_code::done);
-  EXPECT_NE(out_.str().find("\nchanged since the last run: robot.cell_edge_m 0.01 -> 0.011\n"), std::string::npos) << out_.str();
-  EXPECT_NE(out_.str().find("\nchanged since the last run: walk.duration_s 5 -> 2\n"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("\nchanged since the last finished run: robot.cell_edge_m 0.01 -> 0.011\n"), std::string::npos)
+      << out_.str();
+  EXPECT_NE(out_.str().find("\nchanged since the last finished run: walk.duration_s 5 -> 2\n"), std::string::npos) << out_.str();
 }
 
 TEST_F(LoopRunTest, ReplacesNothingThatNoLoopHasMade) {

@@ -236,10 +236,10 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
   const ErrorFact shapes = read_facts({output("validate")}, notes_).validations.at(0).displacement;
   EXPECT_EQ(shapes.median_m, 0.0007);
   EXPECT_EQ(shapes.worst_m, 0.00108);
-  EXPECT_EQ(shapes.worst_observable, "extent y");
+  EXPECT_EQ(shapes.worst_observable, "the extent along y");
   EXPECT_EQ(shapes.furthest_m, 0.00207);
   EXPECT_EQ(shapes.furthest_error, 0.25);
-  EXPECT_EQ(shapes.furthest_observable, "top");
+  EXPECT_EQ(shapes.furthest_observable, "the height of the top");
 }
 
 TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
+#include "evolution/page/result_facts.h"
 #include "io/text/content_hash.h"
 #include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"
@@ -77,6 +78,27 @@ TEST_F(SearchesTest, ShowTheLineageOfTheConfirmedChampionIfAnExportHasIt) {
   std::ofstream(folder_ / "generations.csv") << "generation\n0\n1\n";
   tables = read_search_tables(evolved, {evolved, of_run});
   EXPECT_EQ(tables.lineage_of, "the fittest robot") << "the export is of other generations";
+}
+
+TEST_F(SearchesTest, KnowHowFarARobotOfAFitnessWalksWhereTheyHaveTheStudy) {
+  Study study = tests::silicone_study();
+  study.measure = Measure::last_periods;
+  tests::make_archive(folder_ / "run.sqlite", study, {std::string(27, '1')});
+  const CommandOutput evolved{.program = "menger-evolve",
+                              .folder = folder_.path(),
+                              .manifest = folder_ / "run.manifest.json",
+                              .name = "run.manifest.json"};
+  const SearchTables tables = read_search_tables(evolved, {evolved});
+  EXPECT_TRUE(tables.is_of_period);
+  EXPECT_NEAR(tables.walk_over_fitness.value(), study.duration_s / measured_periods(study)->period_s, 1e-12);
+  EXPECT_TRUE(fitness_unit(tables).ends_with(" in a period of the drive")) << fitness_unit(tables);
+  // An export does not say what its fitness is of, so that nothing says that it is no walk.
+  CommandOutput alone = exported("run.sqlite", "a study");
+  alone.folder = folder_.path();
+  std::ofstream(folder_ / "generations.csv") << "generation,best_fitness_body_lengths\n0,0.02\n";
+  EXPECT_FALSE(read_search_tables(alone, {alone}).walk_over_fitness);
+  std::vector<std::string> notes;
+  EXPECT_TRUE(read_facts({alone}, notes).searches.at(0).is_walk);
 }
 
 }  // namespace

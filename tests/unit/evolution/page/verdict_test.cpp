@@ -390,24 +390,25 @@ TEST(Verdict, TellsErrorsOfShapesInMillimetresBesideTheirShareOfACurve) {
                         .displacement = {.count = 36,
                                          .median = 0.21,
                                          .worst = 2.67,
-                                         .worst_observable = "extent y",
+                                         .worst_observable = "the extent along y",
                                          .median_m = 0.00068,
                                          .worst_m = 0.00108,
                                          .furthest_m = 0.00207,
                                          .furthest_error = 0.25,
                                          .furthest_body = "robot",
-                                         .furthest_observable = "top"},
+                                         .furthest_observable = "the height of the top"},
                         .volume = {.median = 0.056}}};
   EXPECT_EQ(
       finding_with(verdict_of(facts), "The surrogate's shapes are").text,
       "The surrogate's shapes are 21 % (0.68 mm) off finite elements (median of 36 displacements of 1 body, inside the range "
-      "of the fit; the worst is 267 % off, or 1.08 mm, in extent y; furthest off, by 2.07 mm or 25 %, is top), its volumes "
+      "of the fit; the worst is 267 % off, or 1.08 mm, in the extent along y; furthest off over the length of its body, by 2.07 "
+      "mm or 25 %, is the height of the top), its volumes "
       "5.6 %. Do not trust the surrogate for this body.");
   facts.validations.front().bodies = 2;
   facts.validations.front().displacement.worst_body = "plane";
   EXPECT_NE(finding_with(verdict_of(facts),
-                         "the worst is 267 % off, or 1.08 mm, of plane in extent y; furthest off, by 2.07 mm "
-                         "or 25 %, is robot in top)")
+                         "the worst is 267 % off, or 1.08 mm, of plane in the extent along y; furthest off over the length of "
+                         "its body, by 2.07 mm or 25 %, is robot in the height of the top)")
                 .text,
             "");
 }

@@ -292,21 +292,23 @@ class ChampionTest : public ConfirmationTest {
 TEST_F(ChampionTest, OneFailedWalkDoesNotMakeWayForARobotThatStandsStill) {
   make({{hook, {KnownWalk{0.0686, 30.0}, {0.0741, 30.2}, {.reason = "walls went through each other"}}},
         {bar, {KnownWalk{0.0003, 0.0}, {0.0002, 0.0}, {0.0004, 0.0}}}});
-  EXPECT_EQ(line(),
-            "Champion: individual 0, 3 cells, " + hook +
-                "; number 1 of the search: 1.0000 body lengths there, along the same direction 0.0741 on standard elements (turned by "
-                "0 degrees) and no walk on fine elements (walls went through each other)");
+  EXPECT_EQ(
+      line(),
+      "Champion: individual 0, 3 cells, " + hook +
+          "; number 1 of the search: 1.0000 body lengths there, along the same direction 0.0741 on standard elements (turned by "
+          "0 degrees) and no walk on fine elements (walls went through each other)");
 }
 
 TEST_F(ChampionTest, ARobotThatTurnsBackMakesWayForOneThatKeepsItsDirection) {
   make({{hook, {KnownWalk{0.0450, -100.0}, {0.0432, -97.0}, {0.0239, 79.0}}},
         {bar, {KnownWalk{0.0150, 170.0}, {0.0127, -176.0}, {0.0159, 153.0}}}});
-  EXPECT_EQ(line(),
-            "Champion: individual 1, 3 cells, " + bar +
-                "; number 2 of the search: 0.8750 body lengths there, along the same direction 0.0123 on standard elements (turned by "
-                "14 degrees) and 0.0152 on fine elements (turned by 17 degrees); it comes before number 1 of the search "
-                "(individual 0): 1.0000 body lengths there, along the same direction 0.0431 on standard elements (turned by 3 degrees) "
-                "and -0.0239 on fine elements (turned by 179 degrees)");
+  EXPECT_EQ(
+      line(),
+      "Champion: individual 1, 3 cells, " + bar +
+          "; number 2 of the search: 0.8750 body lengths there, along the same direction 0.0123 on standard elements (turned by "
+          "14 degrees) and 0.0152 on fine elements (turned by 17 degrees); it comes before number 1 of the search "
+          "(individual 0): 1.0000 body lengths there, along the same direction 0.0431 on standard elements (turned by 3 degrees) "
+          "and -0.0239 on fine elements (turned by 179 degrees)");
   const RunArchive archive = RunArchive::open_to_read(folder_ / "run.sqlite");
   const std::vector<Confirmation> found = confirmations(study_, archive);
   ASSERT_EQ(found.size(), 4U);
