@@ -18,6 +18,7 @@
 #include "meshes/load_cases/limit_pressure.h"
 #include "meshes/load_cases/shape_agreement.h"
 #include "meshes/load_cases/walk_agreement.h"
+#include "meshes/robot/robot_studies.h"
 
 namespace menger::evolution {
 namespace {
@@ -160,6 +161,13 @@ std::string inflation_end(const fs::path& results, const meshes::Robot& robot) {
   const double last_Pa = last_pressure_Pa(chambers_in(io::read_csv(results / "inflate/curves.csv")));
   if (result->text("status") == "wall_contact") return "walls of a chamber touch at " + driven_text(robot, last_Pa);
   return end + ", at " + driven_text(robot, last_Pa);
+}
+
+/// The pressure of the last state before walls of a chamber touched; nothing if they did not, or it is not known.
+std::optional<double> contact_pressure_Pa(const fs::path& results) {
+  const auto result = table_at(results / "inflate/result.toml");
+  if (!result || result->text("status") != "wall_contact" || !io::is_file(results / "inflate/curves.csv")) return std::nullopt;
+  return last_pressure_Pa(chambers_in(io::read_csv(results / "inflate/curves.csv")));
 }
 
 std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
@@ -467,7 +475,9 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
     return "The pressure of " + kilopascals(drive_Pa) + " is near that at which the body balloons, " + kilopascals(least_Pa) +
            " to " + kilopascals(limit_Pa) + ": " + lower + "." + too_high;
   if (drive_Pa <= softest_safe_Pa)
-    return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning." + too_high;
+    return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning" +
+           (softest ? ", by the softest law of its silicone (" + softest->name + ") up to " + kilopascals(softest_safe_Pa) : "") +
+           "." + too_high;
   const std::string by_file = "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " +
                               kilopascals(safe_Pa) + " it is 20 % or more below ballooning), but ";
   const std::string of_softest = "the softest law of its silicone (" + softest->name + ")";
@@ -489,8 +499,14 @@ std::string contact_verdict(const fs::path& results, const meshes::Robot& robot)
     const bool is_whole_vacuum = lowest_Pa < 0.0 && early_end(*inflation).empty();
     return is_whole_vacuum ? "Down to " + kilopascals(lowest_Pa) + " no walls of a chamber touch." : "";
   }
+  // As far from where walls touch as a pressure has to be from ballooning.
+  const auto contact_Pa = contact_pressure_Pa(results);
+  const std::string advice =
+      contact_Pa && *contact_Pa < 0.0
+          ? "Raise the lowest drive.pressure_Pa to " + kilopascals(meshes::largest_safe_share * *contact_Pa) + " or more."
+          : "";
   return "Before the drive has come to " + kilopascals(strongest_pressure_Pa(robot)) + ", " + inflation_end(results, robot) +
-         ": shapes beyond are not computed, and walks have walls that press on each other, which makes them less sure.";
+         ": shapes beyond are not computed, and walks have walls that press on each other, which makes them less sure. " + advice;
 }
 
 /// @param is_inflated whether the results have an inflation up to the pressure of the drive
@@ -574,6 +590,17 @@ std::string overdrive(const fs::path& results, const meshes::Robot& robot) {
     // Some bodies snap through a limit point and bear more beyond it.
     if (!limit_Pa || drive_Pa <= *limit_Pa || !inflation || early_end(*inflation).empty()) return "";
     return "it balloons at " + kilopascals(*limit_Pa) + ", before the " + kilopascals(drive_Pa) + " of drive.pressure_Pa";
+  } catch (const io::InputError&) {
+    return "";
+  }
+}
+
+std::string early_contact(const fs::path& results, const meshes::Robot& robot) {
+  try {
+    const auto contact_Pa = contact_pressure_Pa(results);
+    const double first_Pa = strongest_pressure_Pa(robot) / meshes::validated_states;
+    if (!contact_Pa || std::abs(*contact_Pa) >= std::abs(first_Pa)) return "";
+    return "walls of a chamber touch at " + kilopascals(*contact_Pa) + ", before the first state that it compares";
   } catch (const io::InputError&) {
     return "";
   }

@@ -18,6 +18,10 @@ std::string stage_finding(const std::string& stage, const std::filesystem::path&
 /// @param results of the stages inflate and limit for this robot
 std::string overdrive(const std::filesystem::path& results, const meshes::Robot& robot);
 
+/// Returns that walls of a chamber touch before the first state in which the stage validate compares both models; empty unless
+/// they do. @param results of the stage inflate for this robot
+std::string early_contact(const std::filesystem::path& results, const meshes::Robot& robot);
+
 /// Returns the pressure at which the body balloons by the softest law in the record of its silicone: limit pressures go nearly
 /// with the shear modulus at rest. @return nothing if no limit pressure was found, or if no law is softer than the robot's
 std::optional<double> softest_limit_Pa(const std::filesystem::path& results, const meshes::Robot& robot);

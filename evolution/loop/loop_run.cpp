@@ -280,8 +280,11 @@ class LoopRun {
       if (std::string reason = meshes::missing_because(robot_, study); !reason.empty()) return reason;
     }
     const bool is_limit_known = current_.contains("inflate") && current_.contains("limit");
-    if (only_ == nullptr && stage.is_driven && is_limit_known) return overdrive(places_.results, robot_);
-    return "";
+    if (only_ == nullptr && stage.is_driven && is_limit_known) {
+      if (std::string reason = overdrive(places_.results, robot_); !reason.empty()) return reason;
+    }
+    const bool is_validation = std::ranges::find(stage.studies, meshes::RobotStudy::validate) != stage.studies.end();
+    return is_validation && current_.contains("inflate") ? early_contact(places_.results, robot_) : "";
   }
 
   /// Notes that a stage has no results of this robot. What an earlier robot or a run that was stopped left in its folder loses

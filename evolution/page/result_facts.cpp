@@ -37,6 +37,7 @@ InflationFacts inflation_facts(const CommandOutput& output) {
     ++facts.plena;
     for (std::size_t row = 0; row < curves.row_count(); ++row) {
       const auto pressure_Pa = number_in(curves, row, column);
+      if (pressure_Pa) facts.lowest_pressure_Pa = std::min(facts.lowest_pressure_Pa.value_or(*pressure_Pa), *pressure_Pa);
       if (!pressure_Pa || (facts.highest_pressure_Pa && *pressure_Pa <= *facts.highest_pressure_Pa)) continue;
       facts.highest_pressure_Pa = pressure_Pa;
       highest = row;

@@ -19,6 +19,7 @@ struct InflationFacts {
   io::RunStatus status = io::RunStatus::stopped;
   std::string reason{};
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
+  std::optional<double> lowest_pressure_Pa{};   ///< likewise
   std::optional<meshes::LimitPressure> limit{};
   std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
   std::size_t plena = 0;

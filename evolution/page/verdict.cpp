@@ -123,8 +123,9 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
     finding.text += " The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure" +
                     meaning_of_share(share, safe_share(facts)) + ".";
   }
-  if (known.drive_Pa && known.softest_limit_Pa && *known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa) {
-    finding.tone = std::max(finding.tone, Tone::caution);
+  if (known.drive_Pa && known.softest_limit_Pa) {
+    if (*known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa)
+      finding.tone = std::max(finding.tone, Tone::caution);
     finding.text += " By the softest law of its silicone it balloons near " + io::kilopascals(*known.softest_limit_Pa) +
                     ", of which the drive is " + io::percents(*known.drive_Pa / *known.softest_limit_Pa) + ".";
   }
@@ -154,9 +155,13 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
         begin + "Usable up to " + reached + ". Beyond it no equilibrium was found (limit point): the body balloons or buckles.",
         facts.source};
   }
-  if (facts.status == io::RunStatus::wall_contact)
-    return {Tone::caution, begin + "Walls of chambers touch beyond " + reached + ". The finite elements end there.",
+  if (facts.status == io::RunStatus::wall_contact) {
+    const bool is_vacuum = facts.lowest_pressure_Pa.value_or(0.0) < 0.0;
+    return {Tone::caution,
+            begin + "Walls of chambers touch beyond " + (is_vacuum ? io::kilopascals(*facts.lowest_pressure_Pa) : reached) +
+                ". The finite elements end there.",
             facts.source};
+  }
   return {Tone::caution,
           begin + "Inflated to " + reached + " only (" + with_reason(facts.status, facts.reason) +
               "). What happens beyond is not known.",

@@ -38,6 +38,10 @@ bool needs_body(RobotStudy study);
 /// Returns why a robot has no such study: "walk.present = false"; empty if it has one.
 std::string missing_because(const Robot& robot, RobotStudy study);
 
+/// The number of states, at equal distances up to the strongest pressure of the drive, in which the stage validate compares both
+/// models.
+inline constexpr int validated_states = 6;
+
 /// Where a robot's studies and results lie.
 struct RobotPlaces {
   /// @param robot_file robot.toml

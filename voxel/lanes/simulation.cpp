@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/text/formatted.h"
 #include "io/text/joined_text.h"
-#include "io/text/number_text.h"
 #include "meshes/load_cases/observables.h"
 #include "voxel/engine/engine.h"
 #include "voxel/engine/scale_check.h"
@@ -180,9 +180,9 @@ std::vector<std::string> Simulation::outside_validity() const {
   const ValidityRange& validity = engine_->body().physics.surrogate->parameters.validity;
   const StrainRange& strains = *engine_->record().strain_range;
   if (strains.smallest < validity.smallest_strain || strains.largest > validity.largest_strain) {
-    faults.push_back("beams had strains from " + io::number_text(strains.smallest) + " to " + io::number_text(strains.largest) +
-                     ", but the fit had strains from " + io::number_text(validity.smallest_strain) + " to " +
-                     io::number_text(validity.largest_strain));
+    faults.push_back("beams had strains from " + io::shown(strains.smallest) + " to " + io::shown(strains.largest) +
+                     ", but the fit had strains from " + io::shown(validity.smallest_strain) + " to " +
+                     io::shown(validity.largest_strain));
   }
   return faults;
 }

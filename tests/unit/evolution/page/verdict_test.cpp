@@ -105,6 +105,13 @@ TEST(Verdict, NamesADriveNearOrBeyondTheLimitPressure) {
             Tone::bad);
 }
 
+TEST(Verdict, NamesTheVacuumAtWhichWallsTouch) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::wall_contact, .highest_pressure_Pa = 0.0, .lowest_pressure_Pa = -515.85}};
+  EXPECT_NE(finding_with(verdict_of(facts), "Walls of chambers touch beyond -0.516 kPa. The finite elements end there.").text,
+            "");
+}
+
 TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
