@@ -320,7 +320,7 @@ TEST_F(EvolveOnElements, TheBestAreConfirmedOnFinerElements) {
   io::write_whole(folder_ / "study.toml", text);
   const Outcome outcome = run("evolve", {"study.toml", "--threads", "1"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("The best robots on finer elements [BL]:"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("The best robots on finer elements [body lengths]:"), std::string::npos) << outcome.out;
   const io::CsvContents table = io::read_csv(folder_ / "run.confirmed.csv");
   ASSERT_EQ(table.row_count(), 4U);
   EXPECT_EQ(table.text(0, "fidelity"), "standard");
