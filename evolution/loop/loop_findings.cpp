@@ -474,10 +474,11 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
   if (drive_Pa > safe_Pa)
     return "The pressure of " + kilopascals(drive_Pa) + " is near that at which the body balloons, " + kilopascals(least_Pa) +
            " to " + kilopascals(limit_Pa) + ": " + lower + "." + too_high;
-  if (drive_Pa <= softest_safe_Pa)
+  if (drive_Pa <= softest_safe_Pa) {
     return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning" +
            (softest ? ", by the softest law of its silicone (" + softest->name + ") up to " + kilopascals(softest_safe_Pa) : "") +
            "." + too_high;
+  }
   const std::string by_file = "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " +
                               kilopascals(safe_Pa) + " it is 20 % or more below ballooning), but ";
   const std::string of_softest = "the softest law of its silicone (" + softest->name + ")";
