@@ -60,13 +60,6 @@ std::string other_law_note(const meshes::Robot& robot) {
          " follows from this law; give it to compare laws at one pressure";
 }
 
-/// The names of the parameters that come with menger.
-std::vector<std::string> known_names() {
-  std::vector<std::string> names;
-  for (const fs::path& file : io::data_files(io::parameter_data)) names.push_back(file.stem().string());
-  return names;
-}
-
 constexpr const char* measured_later =
     "; the stage validate measures it on this very body. Distances that the surrogate walks cannot be trusted";
 
@@ -102,7 +95,8 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   if (!io::is_file(file)) {
     if (parameter_source(robot) == meshes::ParameterSource::given)
       throw io::InputError(robot.file.string() + ": surrogate.parameters = \"" + robot.parameters->string() +
-                           "\": there is no such file; " + io::joined(known_names(), ", ") + " come with menger");
+                           "\": there is no such file; " + io::joined(io::data_names(io::parameter_data), ", ") +
+                           " come with menger");
     for (const std::string& gap : gaps_of_fit(robot)) lines.push_back("warning: the fit will not cover this body: " + gap);
     lines.push_back("expected error: not known before the fit" + std::string(measured_later));
     return lines;

@@ -22,6 +22,7 @@
 #include "io/text/is_file.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/limit_pressure.h"
 #include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
@@ -379,8 +380,8 @@ void add_validation(const CommandOutput& output, PageSection& section) {
     section.tables.back().note +=
         " The share of chambers is that of the whole body at rest. Below 0 is vacuum, down to where walls touch (contact "
         "pressure); no drive from 0 upwards comes there. These are finite elements of load cases. Those of an inflation may be "
-        "others, and so may its limit pressure: thin-wall elements give limit pressures 6 to 12 % higher than three-field "
-        "elements.";
+        "others, and so may its limit pressure: thin-wall elements give limit pressures " +
+        meshes::thin_wall_excess_text() + " higher than three-field elements.";
   }
 }
 

@@ -100,7 +100,7 @@ ValidationFacts validation_facts(const CommandOutput& output) {
         ErrorFact{.count = count_in(summary, row, "count"),
                   .without_equilibrium = count_in(summary, row, "without_equilibrium"),
                   .median = number_in(summary, row, "median"),
-                  .percentile_90 = summary.has("percentile_90") ? number_in(summary, row, "percentile_90") : std::nullopt,
+                  .percentile_90 = number_in(summary, row, "percentile_90"),
                   .worst = number_in(summary, row, "worst"),
                   .worst_body = text_in(summary, row, "worst_body"),
                   .worst_observable = io::displacement_words(text_in(summary, row, "worst_observable")),

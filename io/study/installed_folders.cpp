@@ -31,15 +31,19 @@ std::vector<fs::path> data_files(std::string_view name) {
   return files;
 }
 
+std::vector<std::string> data_names(std::string_view name) {
+  std::vector<std::string> names;
+  for (const fs::path& file : data_files(name)) names.push_back(file.stem().string());
+  return names;
+}
+
 fs::path file_or_data(const TomlTable& table, std::string_view key, std::string_view folder) {
   const std::string name = table.text(key);
   if (name.empty() || name.find('/') != std::string::npos || is_file(table.path(key))) return table.path(key);
-  std::vector<std::string> known;
-  for (fs::path& file : data_files(folder)) {
-    known.push_back(file.stem().string());
-    if (known.back() == name || file.filename() == name) return std::move(file);
-  }
+  for (fs::path& file : data_files(folder))
+    if (file.stem() == name || file.filename() == name) return std::move(file);
   if (name.ends_with(".toml")) return table.path(key);
+  const std::vector<std::string> known = data_names(folder);
   if (known.empty())
     throw table.error(key, "is no file (.toml), and those of menger are missing in " + data_folder(folder).string());
   throw table.error(key, "is neither a file (.toml) nor one of " + joined(known));

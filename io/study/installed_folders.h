@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,9 @@ std::filesystem::path data_folder(std::string_view name);
 
 /// Returns the files (.toml) of a data folder, by name; none if it is not there.
 std::vector<std::filesystem::path> data_files(std::string_view name);
+
+/// Returns the names of those files, without ".toml".
+std::vector<std::string> data_names(std::string_view name);
 
 /// Returns the file that a text of a table names: a path, counted from the file of the table, if it has a "/" or is a file, else
 /// the data file of that name, such as "dragon_skin_10" or "dragon_skin_10.toml". Another text that ends in .toml is a path, too.

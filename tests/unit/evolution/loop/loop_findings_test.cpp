@@ -34,6 +34,12 @@ class LoopFindings : public testing::Test {
                                         std::to_string(x_m) + ", 0, 0]\nhorizontal_displacement_body_lengths = 0.5\n");
   }
 
+  /// Makes the robot a row of cells. @param more keys that follow those of its cells
+  void take_robot(const std::string& row, const std::string& more) {
+    io::write_whole(folder_ / "robot.toml",
+                    "[robot]\nlayers = [[\"" + row + "\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n" + more);
+    robot_ = meshes::read_robot(folder_ / "robot.toml");
+  }
   void write_inflation(const std::string& status) const {
     io::write_whole(folder_ / "inflate/result.toml", "status = \"" + status + "\"\n");
   }
@@ -111,10 +117,7 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
 }
 
 TEST_F(LoopFindings, SayWhatToDoWhereWallsTouchInAVacuum) {
-  io::write_whole(folder_ / "robot.toml",
-                  "[robot]\nlayers = [[\"111\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n[drive]\npressure_Pa = "
-                  "[-4000, 0]\n");
-  robot_ = meshes::read_robot(folder_ / "robot.toml");
+  take_robot("111", "[drive]\npressure_Pa = [-4000, 0]\n");
   write_inflation("wall_contact");
   const auto touch_at = [&](const std::string& pressure) {
     io::write_whole(folder_ / "inflate/curves.csv",
@@ -178,10 +181,7 @@ TEST_F(LoopFindings, LimitIsTheLeastOfAllChambersAndOfTheInflation) {
 }
 
 TEST_F(LoopFindings, TellInWhichChambersADriveInAntiphaseHasItsPressure) {
-  io::write_whole(folder_ / "robot.toml",
-                  "[robot]\nlayers = [[\"122\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\nchambers = "
-                  "\"per-phase\"\n[drive]\nmode = \"antiphase\"\npressure_Pa = [0, 3000]\n");
-  robot_ = meshes::read_robot(folder_ / "robot.toml");
+  take_robot("122", "chambers = \"per-phase\"\n[drive]\nmode = \"antiphase\"\npressure_Pa = [0, 3000]\n");
   write_inflation("completed");
   const std::string head = "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n";
   io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6,0,2e-6\n1,3000,1.5e-6,0,1.8e-6\n2,0,0.9e-6,3000,3e-6\n");
