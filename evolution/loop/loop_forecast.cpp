@@ -93,10 +93,11 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
     if (!note.empty()) lines.push_back(note);
   }
   if (!io::is_file(file)) {
-    if (parameter_source(robot) == meshes::ParameterSource::given)
+    if (parameter_source(robot) == meshes::ParameterSource::given) {
       throw io::InputError(robot.file.string() + ": surrogate.parameters = \"" + robot.parameters->string() +
                            "\": there is no such file; " + io::joined(io::data_names(io::parameter_data), ", ") +
                            " come with menger");
+    }
     for (const std::string& gap : gaps_of_fit(robot)) lines.push_back("warning: the fit will not cover this body: " + gap);
     lines.push_back("expected error: not known before the fit" + std::string(measured_later));
     return lines;
