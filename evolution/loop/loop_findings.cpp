@@ -203,15 +203,20 @@ std::optional<double> limit_pressure_Pa(const fs::path& results) {
   return std::min(driven->pressure_Pa, common_Pa.value_or(driven->pressure_Pa));
 }
 
+/// " (all chambers together)" where a limit pressure was found so, and the drive loads them by turns.
+std::string where_at_limit(const fs::path& results, const meshes::Robot& robot, double limit_Pa) {
+  const bool is_antiphase = robot.drive == meshes::RobotDrive::antiphase;
+  return is_antiphase && limit_Pa == common_limit_Pa(results) ? " (all chambers together)" : "";
+}
+
 std::string limit_text(const fs::path& results, const meshes::Robot& robot) {
   const auto result = table_at(results / "limit/result.toml");
   if (!result) return "";
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   if (const auto limit_Pa = limit_pressure_Pa(results)) {
-    const bool is_antiphase = robot.drive == meshes::RobotDrive::antiphase;
-    const std::string where = is_antiphase && limit_Pa == common_limit_Pa(results) ? " in all chambers together" : "";
-    return "it balloons at " + kilopascals(*limit_Pa) + where + "; the drive of " + kilopascals(drive_Pa) + " is " +
-           percents(drive_Pa / *limit_Pa) + " of that";
+    return "it balloons at " + kilopascals(*limit_Pa) + where_at_limit(results, robot, *limit_Pa) +
+           " by these elements, which put it " + meshes::thin_wall_excess_text() + " too high; the drive of " +
+           kilopascals(drive_Pa) + " is " + percents(drive_Pa / *limit_Pa) + " of that";
   }
   const io::CsvContents curves = io::read_csv(results / "limit/curves.csv");
   double highest_Pa = 0.0;
@@ -237,7 +242,6 @@ std::string calibrate_text(const fs::path& results) {
 struct MissedDisplacement {
   double difference_m = 0.0;
   std::string observable;  ///< for people
-  double error = 0.0;      ///< of the largest value in its curve
 };
 
 /// What the validation found of the robot itself.
@@ -246,11 +250,9 @@ struct ShapeErrors {
   std::optional<double> displacement{};
   std::optional<double> volume{};
   bool is_inside = true;
-  std::optional<double> displacement_beyond{};         ///< the median outside, where others lie inside
-  std::optional<double> displacement_percentile_90{};  ///< inside, or outside if nothing lies inside
-  std::optional<double> displacement_m{};              ///< likewise: the median in lengths
-  std::optional<MissedDisplacement> worst{};           ///< likewise: of the largest error
-  std::optional<MissedDisplacement> furthest{};        ///< likewise: of the largest difference
+  std::optional<double> displacement_beyond{};   ///< the median outside, where others lie inside
+  std::optional<double> displacement_m{};        ///< inside, or outside if nothing lies inside: the median in lengths
+  std::optional<MissedDisplacement> furthest{};  ///< likewise: of the largest difference
   std::size_t signs = 0;
   std::size_t wrong_signs = 0;
   std::vector<std::string> wrong_ways{};  ///< the displacements with a wrong sign, for people
@@ -271,24 +273,21 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
     const auto row = row_of(range, kind);
     return row ? summary.optional_number(*row, column) : std::nullopt;
   };
-  const auto missed = [&](const std::string& range, const std::string& what, const std::string& error) {
+  const auto furthest = [&](const std::string& range) {
     const auto row = row_of(range, "displacement");
-    const auto difference_m = row ? summary.optional_number(*row, what + "_m") : std::nullopt;
+    const auto difference_m = row ? summary.optional_number(*row, "furthest_m") : std::nullopt;
     if (!difference_m) return std::optional<MissedDisplacement>();
     return std::optional(MissedDisplacement{.difference_m = *difference_m,
-                                            .observable = io::displacement_words(summary.text(*row, what + "_observable")),
-                                            .error = summary.number(*row, error)});
+                                            .observable = io::displacement_words(summary.text(*row, "furthest_observable"))});
   };
   const auto median = [&](const std::string& range, const std::string& kind) { return number(range, kind, "median"); };
   ShapeErrors errors;
   for (const std::string range : {"inside", "outside"}) {
     errors.displacement = median(range, "displacement");
     errors.volume = median(range, "volume");
-    if (summary.has("percentile_90")) errors.displacement_percentile_90 = number(range, "displacement", "percentile_90");
     if (summary.has("furthest_m")) {  // none in results of earlier versions
       errors.displacement_m = number(range, "displacement", "median_m");
-      errors.worst = missed(range, "worst", "worst");
-      errors.furthest = missed(range, "furthest", "furthest_error");
+      errors.furthest = furthest(range);
     }
     errors.is_inside = range == "inside";
     if (errors.displacement || errors.volume) break;
@@ -305,10 +304,8 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
 
 /// Where the errors lie that the medians inside the range of the fit do not tell of.
 std::string range_text(const ShapeErrors& errors) {
-  if (!errors.is_inside) return ", all outside what the fit of the parameters covers";
-  return errors.displacement_beyond ? ", and " + percents(*errors.displacement_beyond) +
-                                          " in displacements outside what the fit of the parameters covers"
-                                    : "";
+  if (!errors.is_inside) return ", all outside what the fit covers";
+  return errors.displacement_beyond ? "; " + percents(*errors.displacement_beyond) + " outside what the fit covers" : "";
 }
 
 /// "37 %", and how much that is in millimetres where this is known: "37 % (0.68 mm)"
@@ -316,25 +313,16 @@ std::string median_text(const ShapeErrors& errors) {
   return percents(*errors.displacement) + (errors.displacement_m ? " (" + millimetres(*errors.displacement_m, 2) + ")" : "");
 }
 
-/// ", furthest in the height of the top (2.07 mm, 25 % of its largest value)"; empty where this is not known
+/// " by 2.07 mm, in the height of the top"; empty where this is not known
 std::string furthest_text(const ShapeErrors& errors) {
   if (!errors.furthest) return "";
-  return ", furthest in " + errors.furthest->observable + " (" + millimetres(errors.furthest->difference_m) + ", " +
-         percents(errors.furthest->error) + " of its largest value)";
-}
-
-/// How much the largest error is in millimetres, where it is not that of the displacement which is furthest off.
-std::string worst_text(const ShapeErrors& errors) {
-  const bool is_another = errors.worst && errors.furthest && errors.worst->difference_m < errors.furthest->difference_m;
-  return is_another ? " of its largest value, up to " + percents(errors.worst->error) + " or " +
-                          millimetres(errors.worst->difference_m) + " of " + errors.worst->observable
-                    : "";
+  return " by " + millimetres(errors.furthest->difference_m) + ", in " + errors.furthest->observable;
 }
 
 /// "6 of 36 displacements go the wrong way (the extent along y)"
 std::string wrong_way_text(const ShapeErrors& errors) {
-  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements of " +
-         millimetres(meshes::smallest_signed_m) + " and more go the wrong way (" + io::joined(errors.wrong_ways) + ")";
+  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way (" +
+         io::joined(errors.wrong_ways) + ")";
 }
 
 /// Returns the last line of a log that begins with a word.
@@ -350,15 +338,13 @@ std::string validate_text(const fs::path& results, const meshes::Robot& robot) {
   const auto errors = shape_errors(results);
   if (!errors) return "";
   if (!errors->displacement && !errors->volume) return "the voxels have no equilibrium where they were compared";
-  std::string text = robot.drive == meshes::RobotDrive::antiphase ? "shape of this very body, all chambers at one pressure: "
-                                                                  : "shape of this very body: ";
+  std::string text = robot.drive == meshes::RobotDrive::antiphase ? "shape of this body, all chambers at one pressure: "
+                                                                  : "shape of this body: ";
   if (errors->displacement) text += median_text(*errors) + " off in displacements";
   if (errors->volume) text += (errors->displacement ? ", " : "") + percents(*errors->volume) + " in chamber volume";
   text += " (medians)";
-  text += furthest_text(*errors) + range_text(*errors);
-  constexpr double far_above = 3.0;
-  if (const auto& most = errors->displacement_percentile_90; most && *most > far_above * errors->displacement.value_or(0.0))
-    text += "; one displacement in ten is off by more than " + percents(*most) + worst_text(*errors);
+  if (errors->furthest) text += ", furthest off" + furthest_text(*errors);
+  text += range_text(*errors);
   if (errors->wrong_signs > 0) text += "; " + wrong_way_text(*errors);
   const std::string end = line_of(results / "logs/validate.txt", "note: robot_inflation: the surrogate ends after ");
   if (!end.empty()) text += "; " + end.substr(end.find("the surrogate"));
@@ -419,10 +405,8 @@ bool are_as_long(const Walk& one, const Walk& other) {
   return std::abs(one.time_s - other.time_s) <= largest_share * std::max(one.time_s, other.time_s);
 }
 
+/// "67 mm and 70 mm, 3 degrees apart". @pre not both go nowhere
 std::string both(const Walk& one, const Walk& other) {
-  if (agreement(one, other) == meshes::WalkAgreement::both_go_nowhere)
-    return "it does not get away, and ends within " + percents(meshes::walk_limits::least_body_lengths) +
-           " of its length from where it began";
   const std::string distances = millimetres(one.distance_m()) + " and " + millimetres(other.distance_m());
   if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere) return distances + ", of which the shorter is no walk";
   const std::string angle = io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg()));
@@ -434,9 +418,10 @@ std::string shape_verdict(const ShapeErrors& errors) {
   const double worse = std::max(*errors.displacement, errors.displacement_beyond.value_or(0.0));
   if (worse <= meshes::largest_shape_error && errors.wrong_signs == 0 && errors.is_inside)
     return "The surrogate takes the shape of this body well.";
-  std::string reasons = "its shape is " + median_text(errors) + " off in the median" + furthest_text(errors) + range_text(errors);
+  std::string reasons = median_text(errors) + " off in the median" + range_text(errors);
+  if (errors.furthest) reasons += "; furthest off" + furthest_text(errors);
   if (errors.wrong_signs > 0) reasons += "; " + wrong_way_text(errors);
-  return "Do not trust the surrogate for this body: " + reasons + "; see validate/worst.png.";
+  return "Do not trust the surrogate's shape of this body: " + reasons + ". See validate/worst.png.";
 }
 
 /// The softest law in the record of a silicone, where it is softer than the robot's.
@@ -452,43 +437,38 @@ std::optional<SoftestLaw> softest_law(const meshes::Robot& robot, double limit_P
   const materials::SourcedLaw softest = materials::softest_and_stiffest(others).first;
   const double ratio = materials::shear_modulus_at_rest_Pa(softest.law) / materials::shear_modulus_at_rest_Pa(robot.law.law);
   if (ratio >= 1.0) return std::nullopt;
-  return SoftestLaw{.name = meshes::named_law(softest), .limit_Pa = ratio * limit_Pa};
+  return SoftestLaw{.name = std::string(materials::name_of(softest.law)), .limit_Pa = ratio * limit_Pa};
 }
 
-/// What is known of a drive whose limit pressure is known. @param limit_Pa of thin walls, which the stages of the loop have
-std::string limit_verdict(const meshes::Robot& robot, double limit_Pa) {
+/// What is known of a drive whose limit pressure is known, by the law of its file.
+/// @param limit_Pa of thin walls, which the stages of the loop have
+std::string limit_verdict(const meshes::Robot& robot, double limit_Pa, const std::string& where) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const double least_Pa = meshes::least_limit_of_thin_walls_Pa(limit_Pa);
   const double safe_Pa = meshes::largest_safe_share * least_Pa;
-  const std::optional<SoftestLaw> softest = softest_law(robot, least_Pa);
-  const double softest_safe_Pa = softest ? meshes::largest_safe_share * softest->limit_Pa : safe_Pa;
-  const std::string too_high = " These elements put limit pressures " + meshes::thin_wall_excess_text() +
-                               " too high; they are divided by " + io::shown(1.0 + meshes::largest_thin_wall_excess, 3) +
-                               " here.";
-  std::string lower = "lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less";
-  if (softest)
-    lower += ", or to " + kilopascals(softest_safe_Pa) + " for the softest law of its silicone (" + softest->name + ")";
+  const std::string between = kilopascals(least_Pa) + " to " + kilopascals(limit_Pa);
+  const std::string lower = "lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less.";
   if (drive_Pa > limit_Pa)
-    return "The body balloons at " + kilopascals(limit_Pa) + ", before it gets the pressure of its drive: " + lower + "." +
-           too_high;
+    return "It balloons at " + between + where + ", before the " + kilopascals(drive_Pa) + " of its drive: " + lower;
   if (drive_Pa > safe_Pa)
-    return "The pressure of " + kilopascals(drive_Pa) + " is near that at which the body balloons, " + kilopascals(least_Pa) +
-           " to " + kilopascals(limit_Pa) + ": " + lower + "." + too_high;
-  if (drive_Pa <= softest_safe_Pa) {
-    return "The body bears its pressure: up to " + kilopascals(safe_Pa) + " it is 20 % or more below ballooning" +
-           (softest ? ", by the softest law of its silicone (" + softest->name + ") up to " + kilopascals(softest_safe_Pa) : "") +
-           "." + too_high;
-  }
-  const std::string by_file = "The body bears " + kilopascals(drive_Pa) + " by the law of the file (up to " +
-                              kilopascals(safe_Pa) + " it is 20 % or more below ballooning), but ";
-  const std::string of_softest = "the softest law of its silicone (" + softest->name + ")";
+    return "Its pressure of " + kilopascals(drive_Pa) + " is near that at which it balloons, " + between + where + ": " + lower;
+  return "It bears its pressure of " + kilopascals(drive_Pa) + ": safe up to " + kilopascals(safe_Pa) + ", 20 % below the " +
+         between + " at which it balloons" + where + ".";
+}
+
+/// What the softest law of its silicone says of a drive; empty where the robot has that law.
+/// @param limit_Pa of thin walls, by the law of the robot
+std::string softest_verdict(const meshes::Robot& robot, double limit_Pa) {
+  const std::optional<SoftestLaw> softest = softest_law(robot, meshes::least_limit_of_thin_walls_Pa(limit_Pa));
+  if (!softest) return "";
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  const double safe_Pa = meshes::largest_safe_share * softest->limit_Pa;
+  const std::string begin = "By the softest law of its silicone (" + softest->name + ") it ";
+  if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(safe_Pa) + ".";
   const std::string test =
-      " Test the silicone that you cast, or lower drive.pressure_Pa to " + kilopascals(softest_safe_Pa) + " or less.";
-  if (drive_Pa > softest->limit_Pa)
-    return by_file + "not by " + of_softest + ": by that it balloons near " + kilopascals(softest->limit_Pa) + "." + test +
-           too_high;
-  return by_file + "by " + of_softest + " it is near ballooning: " + percents(drive_Pa / softest->limit_Pa) + " of " +
-         kilopascals(softest->limit_Pa) + "." + test + too_high;
+      ": test the silicone that you cast, or lower drive.pressure_Pa to " + kilopascals(safe_Pa) + " or less.";
+  if (drive_Pa > softest->limit_Pa) return begin + "balloons near " + kilopascals(softest->limit_Pa) + test;
+  return begin + "is near ballooning, " + percents(drive_Pa / softest->limit_Pa) + " of " + kilopascals(softest->limit_Pa) + test;
 }
 
 /// Whether the walls of chambers touch before a drive has come to its lowest pressure.
@@ -506,23 +486,29 @@ std::string contact_verdict(const fs::path& results, const meshes::Robot& robot)
       contact_Pa && *contact_Pa < 0.0
           ? "Raise the lowest drive.pressure_Pa to " + kilopascals(meshes::largest_safe_share * *contact_Pa) + " or more."
           : "";
-  return "Before the drive has come to " + kilopascals(strongest_pressure_Pa(robot)) + ", " + inflation_end(results, robot) +
-         ": shapes beyond are not computed, and walks have walls that press on each other, which makes them less sure. " + advice;
+  return "Its inflation ended where " + inflation_end(results, robot) + ", before the " +
+         kilopascals(strongest_pressure_Pa(robot)) +
+         " of its drive: shapes beyond are not computed, and walks, whose walls press on each other, are less sure. " + advice;
 }
 
+/// How a drive compares with the pressure at which the body balloons, in sentences.
 /// @param is_inflated whether the results have an inflation up to the pressure of the drive
-std::string pressure_verdict(const fs::path& results, const meshes::Robot& robot, bool is_inflated) {
+std::vector<std::string> pressure_verdict(const fs::path& results, const meshes::Robot& robot, bool is_inflated) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const auto limit_Pa = limit_pressure_Pa(results);
-  if (limit_Pa && drive_Pa > *limit_Pa) return limit_verdict(robot, *limit_Pa);
+  const auto by_both_laws = [&] {
+    return std::vector{limit_verdict(robot, *limit_Pa, where_at_limit(results, robot, *limit_Pa)),
+                       softest_verdict(robot, *limit_Pa)};
+  };
+  if (limit_Pa && drive_Pa > *limit_Pa) return by_both_laws();
   const auto inflation = is_inflated ? table_at(results / "inflate/result.toml") : std::nullopt;
-  if (!inflation || drive_Pa <= 0.0) return "";
+  if (!inflation || drive_Pa <= 0.0) return {};
   if (const std::string end = inflation_end(results, robot); !end.empty() && inflation->text("status") != "wall_contact")
-    return "Whether the body bears its pressure is not known: its inflation ended before " + kilopascals(drive_Pa) + " (" + end +
-           ").";
+    return {"Whether it bears its pressure is not known: its inflation ended before " + kilopascals(drive_Pa) + " (" + end +
+            ")."};
   if (!limit_Pa)
-    return "The body bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + ".";
-  return limit_verdict(robot, *limit_Pa);
+    return {"It bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + "."};
+  return by_both_laws();
 }
 
 /// Growths of the chamber that differ by less than this are told as one.
@@ -545,23 +531,24 @@ std::string elements_verdict(const fs::path& results, const meshes::Robot& robot
     const double quadratic = 1.0 + compared.number(row, "finite_elements");
     const double difference = std::abs(quadratic / thin - 1.0);
     if (difference <= same_growth) return "";
-    return "The volume of its chamber is known to " + percents(difference) + ": at " + kilopascals(drive_Pa) + " it is " +
-           io::formatted("%.2f", thin) + " times that at rest by thin walls (inflate) and " + io::formatted("%.2f", quadratic) +
-           " times by quadratic elements (validate).";
+    return "At " + kilopascals(drive_Pa) + " its chamber is known to " + percents(difference) + ": " +
+           io::formatted("%.2f", thin) + " times its volume at rest by thin walls (inflate), " +
+           io::formatted("%.2f", quadratic) + " times by quadratic elements (validate).";
   }
   return "";
 }
 
 /// @param is_found whether a search has found the robot
 std::string mesh_verdict(const Walk& coarser, const Walk& finer, bool is_found) {
-  if (!are_as_long(coarser, finer)) return "The walks of a coarser and a finer mesh last differently long and are not compared.";
+  if (!are_as_long(coarser, finer)) return "Its walks on two meshes last differently long and are not compared.";
   if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere)
-    return "On finite elements of a coarser and a finer mesh " + both(coarser, finer) +
+    return "It does not walk on finite elements of two meshes: it ends within " +
+           percents(meshes::walk_limits::least_body_lengths) + " of its length from where it began" +
            (is_found ? "; the search has found no walker: give it more generations or mutants ([search])." : ".");
-  if (agree(coarser, finer))
-    return "Finite elements of a coarser and a finer mesh agree on the walk: " + both(coarser, finer) + ".";
-  return "How it walks is not known: finite elements of a coarser and a finer mesh give " + both(coarser, finer) +
-         ". Chance decides such a walk; a body that is not alike to both sides walks more surely.";
+  if (agree(coarser, finer)) return "Finite elements of two meshes agree on the walk: " + both(coarser, finer) + ".";
+  return "How it walks is not known: " + both(coarser, finer) +
+         " on finite elements of two meshes. Chance decides such a walk; " +
+         "a body that differs from its mirror image walks more surely.";
 }
 
 std::string model_verdict(const Walk& voxels, const Walk& elements) {
@@ -570,7 +557,7 @@ std::string model_verdict(const Walk& voxels, const Walk& elements) {
     return "It walks in neither model, so that the surrogate cannot be judged by its walk.";
   return (agree(voxels, elements) ? "The surrogate walks as finite elements do: "
                                   : "The surrogate does not walk as finite elements do: ") +
-         both(voxels, elements) + " (voxels and finite elements).";
+         both(voxels, elements) + " (surrogate and finite elements).";
 }
 
 }  // namespace
@@ -624,7 +611,8 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     if (!line.empty()) lines.push_back(line);
   };
   try {
-    if (stages.contains("limit")) add(pressure_verdict(results, robot, stages.contains("inflate")));
+    if (stages.contains("limit"))
+      for (const std::string& line : pressure_verdict(results, robot, stages.contains("inflate"))) add(line);
     if (stages.contains("inflate")) add(contact_verdict(results, robot));
     if (stages.contains("inflate") && stages.contains("validate")) add(elements_verdict(results, robot));
     if (const auto errors = stages.contains("validate") ? shape_errors(results) : std::nullopt) add(shape_verdict(*errors));
@@ -633,17 +621,15 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
       if (!result) return std::optional<Walk>();
       const std::string end = early_end(*result);
       if (end.empty()) return walk_in(*result);
-      lines.push_back("The walk on " + model + " ended early and is not compared (" + end + ").");
+      lines.push_back("The walk " + model + " ended early and is not compared (" + end + ").");
       return std::optional<Walk>();
     };
-    const auto voxels = walk_of("simulate", "result.toml", "voxels");
-    const auto elements = walk_of("locomote", "locomotion.toml", "finite elements");
-    const auto finer = walk_of("locomote_finer", "locomotion.toml", "finite elements of the finer mesh");
+    const auto voxels = walk_of("simulate", "result.toml", "of the surrogate");
+    const auto elements = walk_of("locomote", "locomotion.toml", "on finite elements");
+    const auto finer = walk_of("locomote_finer", "locomotion.toml", "on finite elements of the finer mesh");
     if (elements && finer) add(mesh_verdict(*elements, *finer, robot.evolves));
     const bool is_known = !elements || !finer || agree(*elements, *finer);
-    if (voxels && !is_known)
-      add("Whether the surrogate walks as finite elements do cannot be told, since they do not agree themselves; it moves " +
-          millimetres(voxels->distance_m()) + ".");
+    if (voxels && !is_known) add("So the walk of the surrogate, " + millimetres(voxels->distance_m()) + ", cannot be judged.");
     if (const auto& reference = finer ? finer : elements; voxels && reference && is_known)
       add(model_verdict(*voxels, *reference));
   } catch (const io::InputError&) {

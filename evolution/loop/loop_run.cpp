@@ -151,8 +151,10 @@ class LoopRun {
       if (last_ == &stage) break;
     }
     io::remove_if_there(told_file());
-    if (last_ != nullptr && last_->program != "menger-report") {
-      take_later_stages();
+    if (only_ != nullptr) {
+      take_other_stages();
+    } else if (last_ != nullptr && last_->program != "menger-report") {
+      take_other_stages();
       note_verdict();
     }
     write_manifest();
@@ -486,8 +488,8 @@ class LoopRun {
     io::write_manifest(places_.results, manifest);
   }
 
-  /// Counts the results of stages after --until among those of this robot, where they are.
-  void take_later_stages() {
+  /// Counts the results of stages that this call left alone among those of this robot, where they are.
+  void take_other_stages() {
     meshes::take_champion(robot_, places_);
     for (const LoopStage& stage : stages_) {
       if (current_.contains(stage.name) || (stage.needs_body && !robot_.has_body()) || stage.program == "menger-report") continue;
@@ -530,13 +532,12 @@ class LoopRun {
   }
 
   void tell_end(int code) {
-    if (only_ == nullptr && !verdict().empty()) {
+    if (!verdict().empty()) {
       out_ << "\nWhat came out:\n";
       for (const std::string& line : verdict()) out_ << "- " << line << '\n';
     }
     std::vector<std::string> files;
     for (const auto& [stage, file] : {std::pair{"report", "report.html"},
-                                      {"report", "report.walk_1.gif"},
                                       {"inflate", "inflate/chamber.png"},
                                       {"limit", "limit/pv_curve.png"},
                                       {"validate", "validate/worst.png"},
@@ -544,6 +545,11 @@ class LoopRun {
                                       {"locomote", "locomote/frames.pvd"},
                                       {"export", "export/champion.png"}}) {
       if (current_.contains(stage) && io::is_file(places_.results / file)) files.push_back(shown(places_.results / file));
+    }
+    for (int n = 1; current_.contains("report"); ++n) {
+      const fs::path animation = places_.results / ("report.walk_" + std::to_string(n) + ".gif");
+      if (!io::is_file(animation)) break;
+      files.push_back(shown(animation));
     }
     if (!files.empty() && only_ == nullptr) out_ << "Look at " << io::joined(files) << ".\n";
     if (code == io::exit_code::numerical) out_ << "Some stages ended early; their lines above say why.\n";

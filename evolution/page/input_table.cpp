@@ -1,6 +1,7 @@
 #include "evolution/page/input_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,6 +19,8 @@
 #include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/silicone_record.h"
+#include "meshes/design/modular_body.h"
+#include "meshes/design/polycube.h"
 
 namespace menger::evolution {
 namespace {
@@ -89,6 +92,32 @@ std::string body_text(const CommandOutput& output) {
   const std::size_t along_x = along_y == 0 ? 0 : layers.front().front().size();
   return (output.body_name.empty() ? "" : output.body_name + ": ") + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
          " in " + std::to_string(along_x) + " x " + std::to_string(along_y) + " x " + std::to_string(layers.size());
+}
+
+/// Which chambers are of which material: curves and tables name them by number, designs by material.
+std::string regions_text(const CommandOutput& output) {
+  std::string text = "one for each region of cells of one material";
+  if (!output.stated.body || output.stated.body->layers.empty() || output.stated.body->layers.front().empty()) return text;
+  const auto& layers = output.stated.body->layers;
+  std::string digits;
+  for (const auto& rows : layers)
+    for (const std::string& row : rows) digits += row;
+  const std::size_t along_x = layers.front().front().size();
+  const std::size_t along_y = layers.front().size();
+  if (digits.size() != along_x * along_y * layers.size()) return text;
+  const auto cells = meshes::Polycube::from_digits(static_cast<int>(along_x), static_cast<int>(along_y),
+                                                   static_cast<int>(layers.size()), digits);
+  const meshes::ModularBody body(cells, 1, meshes::ChamberLayout::per_phase);
+  std::vector<std::string> parts;
+  for (const int material : {1, 2}) {
+    std::vector<std::string> numbers;
+    for (std::size_t region = 0; region < body.regions().size(); ++region)
+      if (body.regions()[region].material == material) numbers.push_back(std::to_string(region));
+    if (!numbers.empty())
+      parts.push_back((numbers.size() == 1 ? "plenum " : "plena ") + io::joined(numbers) + " of material " +
+                      std::to_string(material));
+  }
+  return text + (parts.empty() ? "" : ": " + io::joined(parts, "; "));
 }
 
 std::string with_spaces(std::string text) {
@@ -193,6 +222,18 @@ std::string damping_text(const json& material) {
   return text;
 }
 
+/// How often and how a drive swings; empty if it does not.
+std::string strokes_text(const json& drive) {
+  const auto frequency_Hz = number_of(drive, "frequency_Hz");
+  if (!frequency_Hz || text_of(drive, "mode") == "hold") return {};
+  const std::string text = shown_number(*frequency_Hz) + " Hz, a sine";
+  const double strokes = number_of(drive, "ramp_s").value_or(1.0 / *frequency_Hz) * *frequency_Hz;
+  if (strokes == 0.0) return text;
+  constexpr double tolerance = 1e-6;
+  return text + ", which grows from 0 over the first " +
+         (std::abs(strokes - 1.0) < tolerance ? "stroke" : shown_number(strokes) + " strokes");
+}
+
 /// The voxel parameters of a run: where they come from.
 std::string parameters_text(const CommandOutput& output) {
   if (const std::string file = parameters_of_menger(output); !file.empty()) return file + ", which came with menger";
@@ -216,7 +257,7 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
     if (output.stated.body) add("edge of a cell", io::millimetres(output.stated.body->cell_edge_m));
     if (output.stated.wall_thickness_m) add("thickness of walls", io::millimetres(*output.stated.wall_thickness_m));
     if (output.stated.chambers == "single") add("chambers", "one, which all cells share");
-    if (output.stated.chambers == "per-phase") add("chambers", "one for each region of cells of one material");
+    if (output.stated.chambers == "per-phase") add("chambers", regions_text(output));
     add("silicone", output.stated.silicone);
     if (const json* material = object_of(parameters, "material")) {
       add("law", law_text(*material));
@@ -231,7 +272,7 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
     }
     if (const json* drive = object_of(parameters, "drive")) {
       add("pressure of the drive", range_text(*drive, "pressure_Pa"));
-      if (const auto frequency_Hz = number_of(*drive, "frequency_Hz")) add("strokes", shown_number(*frequency_Hz) + " Hz");
+      add("strokes", strokes_text(*drive));
       add("mode of the drive", with_spaces(text_of(*drive, "mode")));
     }
     if (output.stated.static_friction && output.stated.kinetic_friction)

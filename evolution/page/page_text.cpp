@@ -252,7 +252,11 @@ std::string verdict_html(const Verdict& verdict, const std::string& folder) {
   // A long list of what is not there would hide what is.
   constexpr std::size_t most_open = 2;
   const bool is_open = missing_count <= most_open || found.empty();
-  text += "<ul class=\"findings\">\n" + found + (is_open ? missing : "") + "</ul>\n";
+  const std::string findings = "<ul class=\"findings\">\n" + found + (is_open ? missing : "") + "</ul>\n";
+  // A loop has told the most of it already.
+  text += verdict.came_out.empty()
+              ? findings
+              : "<details><summary>All findings, with the files that they come from</summary>\n" + findings + "</details>\n";
   if (!is_open)
     text += "<details><summary>" + std::to_string(missing_count) +
             " things were not computed</summary><ul class=\"findings\">\n" + missing + "</ul></details>\n";

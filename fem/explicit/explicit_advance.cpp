@@ -6,7 +6,7 @@
 #include "fem/explicit/explicit_dynamics.h"
 #include "fem/explicit/gas_stiffness.h"
 #include "io/text/formatted.h"
-#include "io/text/number_text.h"
+#include "io/text/formatted.h"
 #include "meshes/hexahedra/element_geometry.h"
 
 namespace menger::fem {
@@ -192,21 +192,21 @@ std::optional<ExplicitReport> ExplicitDynamics::check() {
   const double imbalance = std::abs(now.imbalance_J());
   // Written so that NaN fails, too.
   if (!(imbalance <= options_.largest_imbalance * state_.turnover_J + energy_noise_))
-    return failure(io::RunStatus::diverged, "the energy balance has an error of " + io::number_text(imbalance) +
-                                                " J for a turnover of " + io::number_text(state_.turnover_J) + " J");
+    return failure(io::RunStatus::diverged, "the energy balance has an error of " + io::shown(imbalance) +
+                                                " J for a turnover of " + io::shown(state_.turnover_J) + " J");
   if (std::optional<ExplicitReport> objection = check_contact()) return objection;
   if (state_.steps_since_bound < std::min(state_.steps_to_bound, options_.steps_per_bound)) return std::nullopt;
   state_.steps_since_bound = 0;
   state_.stable_step_s = stable_step();
   if (!(state_.stable_step_s >= state_.last_step_s))
-    return failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(state_.stable_step_s) + " s");
+    return failure(io::RunStatus::diverged, "the stable step fell to " + io::shown(state_.stable_step_s) + " s");
   return std::nullopt;
 }
 
 std::optional<ExplicitReport> ExplicitDynamics::check_contact() const {
   const double depth = self_contact_.largest_depth_m();
   if (options_.self_contact && depth > self_contact_.allowed_depth_m())
-    return failure(io::RunStatus::diverged, "parts of the surface are " + io::number_text(depth) +
+    return failure(io::RunStatus::diverged, "parts of the surface are " + io::shown(depth) +
                                                 " m deep in each other, too deep for the stiffness of their contact");
   if (self_contact_.largest_travel_m() > self_contact_.allowed_travel_m())
     return failure(io::RunStatus::diverged, "parts of the surface that are near each other moved too far in a step");
@@ -220,7 +220,7 @@ bool ExplicitDynamics::walls_have_met() const { return !options_.self_contact &&
 void ExplicitDynamics::accept(double last_stable_step_s) {
   look_at_chambers();
   if (state_.stable_step_s < options_.smallest_step_ratio * rest_stable_step_)
-    report_ = failure(io::RunStatus::diverged, "the stable step fell to " + io::number_text(state_.stable_step_s) + " s");
+    report_ = failure(io::RunStatus::diverged, "the stable step fell to " + io::shown(state_.stable_step_s) + " s");
   const bool has_changed =
       std::abs(state_.stable_step_s / last_stable_step_s - 1.0) > little_change * (1.0 - options_.step_safety);
   if (!has_changed) state_.step_share = std::min(1.0, 1.1 * state_.step_share);

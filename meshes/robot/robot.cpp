@@ -83,12 +83,13 @@ std::array<double, 2> drive_pressure_Pa(const Robot& robot) {
   return robot.pressure_Pa.value_or(std::array{0.0, usual_pressure_Pa(robot)});
 }
 
+namespace {
+
+/// A law with the beginning of its source: "neo_hookean, modulus at 100 % strain of the data sheet"
 std::string named_law(const materials::SourcedLaw& sourced) {
   const std::size_t end = std::min({sourced.source.find(" ("), sourced.source.find(", "), sourced.source.find(';')});
   return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
 }
-
-namespace {
 
 /// The keys of robot.toml that mean a law of the record: "law_name = "ogden1"", with law_variant where the record has several.
 std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
@@ -102,7 +103,7 @@ std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeR
     if (variant == 0 && materials::law_line(other.law) == line) variant = count;
   }
   const std::string name = "law_name = \"" + std::string(materials::name_of(law.law)) + "\"";
-  return count == 1 ? name : name + " with law_variant = " + std::to_string(variant);
+  return count == 1 ? name : name + ", law_variant = " + std::to_string(variant);
 }
 
 }  // namespace
@@ -122,13 +123,13 @@ std::string law_summary_of(const Robot& robot) {
   if (others.empty()) return text + "; the record has no other law";
   const auto times = [&](const materials::SourcedLaw& law) {
     const std::string ratio = io::formatted("%.2g", materials::shear_modulus_at_rest_Pa(law.law) / modulus_Pa);
-    return (ratio == "1" ? "as much (" : ratio + " times as much (") + named_law(law) + "; " + keys_of(law, robot.record) + ")";
+    return (ratio == "1" ? "just" : ratio + " times") + " as stiff (" + keys_of(law, robot.record) + ")";
   };
   const auto [softest, stiffest] = materials::softest_and_stiffest(others);
   const bool is_one = others.size() == 1;
-  text += (is_one ? "; the other law of the record has " : "; the other laws of the record have ") + times(softest);
+  text += (is_one ? "; the other law of the record is " : "; the other laws of the record are ") + times(softest);
   if (!is_one) text += " to " + times(stiffest);
-  return text + ". The pressure that a body bears goes nearly with it; law_name and law_variant are keys of robot.toml";
+  return text + ". The pressure that a body bears goes nearly with it";
 }
 
 std::size_t chamber_count(const Robot& robot) { return ModularBody(robot.design.body, 1, robot.chambers).regions().size(); }

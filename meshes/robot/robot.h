@@ -103,10 +103,6 @@ std::size_t chamber_count(const Robot& robot);
 /// Returns the robot in one sentence for people: body, cells, walls, silicone, chambers and drive.
 std::string summary_of(const Robot& robot);
 
-/// Returns a law with its source, without the details that follow a comma or a bracket: "ogden1, Soft Robotics Materials
-/// Database".
-std::string named_law(const materials::SourcedLaw& sourced);
-
 /// Returns the laws of the record of the robot's silicone but for its own.
 std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot);
 

@@ -150,7 +150,11 @@ void describe_drive(io::StudyVisitor& visitor, Robot& robot) {
                 "must not be 0 all the time");
   visitor.check(!robot.pressure_Pa || robot.pressure_Pa->front() >= -atmosphere_Pa, "pressure_Pa",
                 "is below a perfect vacuum, which is " + io::number_text(-atmosphere_Pa));
-  visitor.number({"frequency_Hz", "Strokes per second."}, robot.frequency_Hz, io::positive());
+  visitor.number(
+      {"frequency_Hz",
+       "Strokes per second. In a stroke the pressure swings from the middle of both up, down and back as a sine, which "
+       "grows from 0 over the first stroke."},
+      robot.frequency_Hz, io::positive());
   visitor.word({"mode",
                 "in_phase: all chambers at the same time; antiphase: those of material 2 half a period later, which needs "
                 "chambers = \"per-phase\"; hold: all have the highest pressure all the time."},

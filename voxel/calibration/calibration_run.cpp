@@ -27,20 +27,22 @@ class FitProgress {
     name_ = to_string(detail);
     tell(0, 0.0);
   }
-  void tell(int iteration, double chi2) const {
+  void tell(int iteration, double chi2) {
     if (!options_.progress) return;
     constexpr double usual_iterations = 10.0;
     constexpr double most = 0.95;
     const double fits = static_cast<double>(begun_) - 1.0 + iteration / (iteration + usual_iterations);
     const double share = options_.identifiability_fits > 0 ? 0.5 : 1.0;
-    options_.progress(share * std::min(most, fits / usual_fits_),
-                      name_ + (iteration > 0 ? ", chi2 " + std::to_string(static_cast<long>(chi2)) : ""));
+    // A fit may begin again from another point.
+    told_ = std::max(told_, share * std::min(most, fits / usual_fits_));
+    options_.progress(told_, name_ + (iteration > 0 ? ", chi2 " + std::to_string(static_cast<long>(chi2)) : ""));
   }
 
  private:
   double usual_fits_;
   const CalibrationRunOptions& options_;
   std::size_t begun_ = 0;
+  double told_ = 0.0;
   std::string name_;
 };
 

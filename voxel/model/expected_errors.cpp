@@ -52,9 +52,8 @@ std::string medians_text(const KindErrors& errors) {
 }
 
 std::string ninth_decile_text(const KindErrors& errors) {
-  return "one displacement in ten " + (errors.displacement_ninth_decile
-                                           ? "is off by more than " + percents(*errors.displacement_ninth_decile)
-                                           : std::string("has no value"));
+  return errors.displacement_ninth_decile ? "one in ten by more than " + percents(*errors.displacement_ninth_decile)
+                                          : std::string("one displacement in ten has no value");
 }
 
 std::string poor_model_of(BodyKind kind) {
@@ -71,7 +70,7 @@ std::string no_validation_of(BodyKind kind) {
          ": the error is unknown";
 }
 
-constexpr const char* about_shape = "this is the error of shapes in equilibrium; how far a body walks can be off by much more";
+constexpr const char* about_shape = "this is of inflated shapes; a walk can be off by much more";
 
 }  // namespace
 

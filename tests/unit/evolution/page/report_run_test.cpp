@@ -181,19 +181,40 @@ TEST(ReportRun, SaysWhatWasComputed) {
   const std::string page = io::read_whole(folder / "report.html");
   const std::size_t begin = page.find("<section id=\"inputs\"");
   const std::string inputs = page.substr(begin, page.find("</section>", begin) - begin);
-  for (const char* row :
-       {"body</th><td>cube: 3 cells in 3 x 2 x 1<", "edge of a cell</th><td>12 mm<", "thickness of walls</th><td>2.5 mm<",
-        "silicone</th><td>Soft 30<", "law</th><td>neo hookean, shear modulus 40 kPa<",
-        "source of the law</th><td>the &lt;data&gt; sheet<",
-        "other laws in its record</th><td>1 more, with 0.4 times its shear modulus at rest<",
-        "loss factor (damping)</th><td>0.1 at 30 Hz<", "pressure of the drive</th><td>0 to 2.9 kPa<", "strokes</th><td>3 Hz<",
-        "friction on the ground</th><td>1 at rest, 0.5 sliding<", "finite elements</th><td>thin wall, fine<"})
+  for (const char* row : {"body</th><td>cube: 3 cells in 3 x 2 x 1<", "edge of a cell</th><td>12 mm<",
+                          "thickness of walls</th><td>2.5 mm<", "silicone</th><td>Soft 30<",
+                          "law</th><td>neo hookean, shear modulus 40 kPa<", "source of the law</th><td>the &lt;data&gt; sheet<",
+                          "other laws in its record</th><td>1 more, with 0.4 times its shear modulus at rest<",
+                          "loss factor (damping)</th><td>0.1 at 30 Hz<", "pressure of the drive</th><td>0 to 2.9 kPa<",
+                          "strokes</th><td>3 Hz, a sine, which grows from 0 over the first stroke<",
+                          "friction on the ground</th><td>1 at rest, 0.5 sliding<", "finite elements</th><td>thin wall, fine<"})
     EXPECT_NE(inputs.find(row), std::string::npos) << row << "\n" << inputs;
   EXPECT_LT(begin, page.find("<section id=\"motion\""));
   write_run("slippery", 0.2);
   static_cast<void>(write_report(folder, quick()));
   EXPECT_NE(io::read_whole(folder / "report.html").find("1 at rest, 0.5 sliding (locomote); 1 at rest, 0.2 sliding (slippery)<"),
             std::string::npos);
+}
+
+TEST(ReportRun, SaysWhichChambersAreOfWhichMaterialAndHowADriveSwings) {
+  const tests::TestFolder folder;
+  const auto inputs_with = [&](const std::string& drive) {
+    write_walk(folder / "locomote", "menger-locomote", "pair");
+    io::write_manifest(folder / "locomote",
+                       {.program = "menger-locomote",
+                        .parameters = "[design]\nname = 'pair'\ncell_edge_m = 0.01\nlayers = [[\"1211\"]]\nwall_thickness_m = "
+                                      "0.002\nchambers = \"per-phase\"\n[drive]\npressure_Pa = [0, 6000]\nfrequency_Hz = 3\n" +
+                                      drive,
+                        .seed = std::nullopt,
+                        .inputs = {}});
+    return io::read_whole(write_report(folder, quick()).file);
+  };
+  const std::string antiphase = inputs_with("mode = \"antiphase\"\nramp_s = 0.6666666666666666\n");
+  EXPECT_NE(antiphase.find("one for each region of cells of one material: plena 0, 2 of material 1; plenum 1 of material 2<"),
+            std::string::npos);
+  EXPECT_NE(antiphase.find("strokes</th><td>3 Hz, a sine, which grows from 0 over the first 2 strokes<"), std::string::npos);
+  EXPECT_NE(inputs_with("mode = \"in_phase\"\nramp_s = 0\n").find("strokes</th><td>3 Hz, a sine<"), std::string::npos);
+  EXPECT_EQ(inputs_with("mode = \"hold\"\n").find("strokes</th>"), std::string::npos);
 }
 
 TEST(ReportRun, IsAboutTheOnlyBodyAndTellsItsScenesApart) {

@@ -71,8 +71,7 @@ TEST_F(ErrorsBesideParameters, AreThoseOfTheKindOfABody) {
   const std::vector<std::string> lines = expected_error_text(known(), body_of_known_errors(), bar);
   ASSERT_EQ(lines.size(), 1U) << io::joined(lines, "\n");
   EXPECT_EQ(lines.front().rfind("expected error for a body of limbs: 4.3 % in displacement and 1.1 % in chamber volume (median "
-                                "over 2 bodies of this kind that no fit has seen; one displacement in ten is off by more than "
-                                "12 %)",
+                                "over 2 bodies of this kind that no fit has seen; one in ten by more than 12 %)",
                                 0),
             0U)
       << lines.front();
