@@ -528,6 +528,11 @@ class LoopRun {
       const std::string hash = manifest_hash(stage);
       if (!hash.empty()) (current_.contains(stage.name) ? noted.results : noted.left_behind)[stage.manifest] = hash;
     }
+    for (const std::string& name : state_->names()) {
+      if (name == "report" || std::ranges::find(stages_, name, &LoopStage::name) != stages_.end()) continue;
+      const std::string hash = io::hash_of_results(places_.results / manifest_of(name));
+      if (!hash.empty()) noted.left_behind[manifest_of(name).string()] = hash;
+    }
     write_loop_verdict(places_.results, noted);
   }
 

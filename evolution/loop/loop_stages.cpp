@@ -45,7 +45,7 @@ class Stages {
     stage.program = std::move(program);
     stage.arguments = {study_name(study), "-o", name};
     stage.studies = {study};
-    stage.manifest = fs::path(name) / "manifest.json";
+    stage.manifest = manifest_of(name);
     stage.needs_body = meshes::needs_body(study);
     stage.is_driven = study == RobotStudy::validate || study == RobotStudy::simulate || study == RobotStudy::locomote ||
                       study == RobotStudy::locomote_finer;
@@ -58,7 +58,6 @@ class Stages {
   void add_body() {
     LoopStage& mesh = add(RobotStudy::mesh, "menger-mesh", mesh_s);
     mesh.arguments = {study_name(RobotStudy::mesh), "-o", "mesh/mesh.vtu"};
-    mesh.manifest = "mesh/mesh_manifest.json";
     for (const RobotStudy study : {RobotStudy::inflate, RobotStudy::limit})
       add(study, "menger-inflate", inflate_s).may_restart = true;
   }
@@ -100,7 +99,6 @@ class Stages {
     const bool has_elements = search.model != meshes::RobotSearchModel::voxels;
     LoopStage& evolve = add(RobotStudy::evolve, "menger-evolve", robots * (has_elements ? robot_walk_s : voxel_walk_s));
     evolve.arguments = {study_name(RobotStudy::evolve), "-o", archive};
-    evolve.manifest = "evolve/run.manifest.json";
     evolve.is_set_aside = true;
     if (search.model != meshes::RobotSearchModel::finite_elements) add_parameters(evolve);
 
@@ -110,7 +108,7 @@ class Stages {
     exported.arguments = {archive, "-o", "export", "--levels", "1"};
     exported.needs = {"evolve"};
     exported.follows = {"evolve"};
-    exported.manifest = "export/manifest.json";
+    exported.manifest = manifest_of(exported.name);
     exported.is_usable_early = true;
     exported.expected_s = export_s;
   }
@@ -128,7 +126,7 @@ class Stages {
     stage.name = "report";
     stage.program = "menger-report";
     stage.arguments = {places_.results.string()};
-    stage.manifest = "report.html";
+    stage.manifest = manifest_of(stage.name);
     for (const LoopStage& other : stages_) stage.follows.push_back(other.name);
     stage.reads.emplace_back(loop_verdict_name);
     stage.expected_s = report_s;
@@ -158,6 +156,13 @@ class Stages {
 };
 
 }  // namespace
+
+fs::path manifest_of(const std::string& stage) {
+  if (stage == "mesh") return "mesh/mesh_manifest.json";
+  if (stage == "evolve") return "evolve/run.manifest.json";
+  if (stage == "report") return "report.html";
+  return fs::path(stage) / "manifest.json";
+}
 
 std::vector<LoopStage> loop_stages(const meshes::Robot& robot, const meshes::RobotPlaces& places, bool has_report) {
   Stages stages(robot, places);

@@ -37,6 +37,9 @@ struct LoopStage {
 /// @param has_report whether the program menger-report is there
 std::vector<LoopStage> loop_stages(const meshes::Robot& robot, const meshes::RobotPlaces& places, bool has_report);
 
+/// Returns what a stage writes last, counted from the results.
+std::filesystem::path manifest_of(const std::string& stage);
+
 /// Returns the stage of a name. @throws io::InputError naming the option and the stages of this robot
 const LoopStage& stage_named(const std::vector<LoopStage>& stages, std::string_view option, const std::string& name);
 

@@ -71,6 +71,13 @@ const StageRecord* LoopState::find(const std::string& stage) const {
   return found == stages_.end() ? nullptr : &found->second;
 }
 
+std::vector<std::string> LoopState::names() const {
+  std::vector<std::string> names;
+  names.reserve(stages_.size());
+  for (const auto& [name, record] : stages_) names.push_back(name);
+  return names;
+}
+
 void LoopState::set(const std::string& stage, StageRecord record) {
   stages_[stage] = std::move(record);
   write();

@@ -43,6 +43,9 @@ class LoopState {
   /// @return nothing is known: null
   [[nodiscard]] const StageRecord* find(const std::string& stage) const;
 
+  /// Returns the names of all stages that are known, also of those that an earlier robot had and this one has not.
+  [[nodiscard]] std::vector<std::string> names() const;
+
   /// Notes a stage and writes the file, whole or not at all.
   void set(const std::string& stage, StageRecord record);
 

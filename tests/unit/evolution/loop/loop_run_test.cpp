@@ -407,6 +407,13 @@ TEST_F(LoopRunTest, UntilEndsThereAndOnlyRunsOneStage) {
   EXPECT_NE(tests::message_of([&] { run("", "simulate"); }).find("needs a result of calibrate"), std::string::npos);
 }
 
+TEST_F(LoopRunTest, ResultsOfStagesThatARobotNoLongerHasAreLeftBehind) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  add("[walk]\npresent = false\n");
+  ASSERT_EQ(run("limit"), io::exit_code::done);
+  EXPECT_EQ(left_behind(), (Names{"locomote/manifest.json", "locomote_finer/manifest.json", "simulate/manifest.json"}));
+}
+
 TEST_F(LoopRunTest, OnlyTakesNoResultsThatAChangeMadeOld) {
   change("cell_edge_m = 0.01", "cell_edge_m = 0.011");
   write_program("calibrate", "echo fitted > calibrate/parameters.toml");
