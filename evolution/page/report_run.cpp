@@ -73,8 +73,7 @@ void leave_out(const fs::path& folder, const std::map<std::string, std::string>&
     const auto is_of_stage = [&](const CommandOutput& output) {
       return output.place == stage || output.place.starts_with(stage + "/");
     };
-    if (std::erase_if(outputs, is_of_stage) > 0)
-      notes.push_back(stage + ": is of an earlier robot.toml, and is left out");
+    if (std::erase_if(outputs, is_of_stage) > 0) notes.push_back(stage + ": is of an earlier robot.toml, and is left out");
   }
 }
 

@@ -6,7 +6,6 @@
 #include "fem/explicit/explicit_dynamics.h"
 #include "fem/explicit/gas_stiffness.h"
 #include "io/text/formatted.h"
-#include "io/text/formatted.h"
 #include "meshes/hexahedra/element_geometry.h"
 
 namespace menger::fem {

@@ -57,7 +57,8 @@ TEST(RobotFile, LawIsToldWithItsSourceAndWithOtherLawsOfTheSilicone) {
             "\"yeoh\", law_variant = 2). The pressure that a body bears goes nearly with it");
   Robot robot = read_text(folder, table);
   robot.record.others.resize(1);
-  EXPECT_NE(law_summary_of(robot).find("; the other law of the record is 0.37 times as stiff (law_name = \"ogden1"), std::string::npos);
+  EXPECT_NE(law_summary_of(robot).find("; the other law of the record is 0.37 times as stiff (law_name = \"ogden1"),
+            std::string::npos);
   robot.law = robot.record.others.front();
   EXPECT_NE(law_summary_of(robot).find("times as stiff (without law_name)"), std::string::npos) << law_summary_of(robot);
   robot.law = robot.record.recommended;
