@@ -33,6 +33,8 @@ BodyTop top_of(const std::vector<std::array<int, 3>>& cells) {
     const auto& cell = cells[n];
     const auto within = [](int m, int begin) { return std::clamp(0.5 * m, static_cast<double>(begin), begin + 1.0); };
     const std::array<double, 3> point{within(middle[0], cell[0]), within(middle[1], cell[1]), static_cast<double>(high[2])};
+    const auto towards = [&](std::size_t axis) { return static_cast<int>(2.0 * (point[axis] - cell[axis]) - 1.0); };
+    top.towards.push_back({towards(0), towards(1)});
     top.is_open = point[0] != 0.5 * middle[0] || point[1] != 0.5 * middle[1];
     if (std::find(top.points.begin(), top.points.end(), point) == top.points.end()) top.points.push_back(point);
   }

@@ -39,7 +39,8 @@ class BodyShape {
   /// Distance between the mean positions of the end faces across an axis, m.
   [[nodiscard]] double extent(std::size_t axis) const;
 
-  /// Height of the middle of the top above the mean of the bottom faces, m. If no voxel lies in the middle of the top layer, it
+  /// Height of the middle of the top above the mean of the bottom faces, m. A wall stands out there by bulge_peak_ratio times its
+  /// mean, but not where it ends at a wall between two modules or chambers. If no voxel lies in the middle of the top layer, it
   /// is the height of the nearest voxels without bulge, because the rim of a wall beside them does not move.
   [[nodiscard]] double top_height() const;
 
@@ -76,6 +77,8 @@ class BodyShape {
  private:
   [[nodiscard]] Vector3<double> mean_of_faces(meshes::Side side) const;
   [[nodiscard]] Vector3<double> middle_of_top() const;
+  /// @param towards see meshes::BodyTop
+  [[nodiscard]] Vector3<double> point_of_top(std::size_t voxel, const std::array<int, 2>& towards) const;
   /// The ends of the body, at rest and now.
   struct Ends {
     meshes::EndPoints at_rest{};
