@@ -21,11 +21,17 @@ struct CalibrationProblem {
 struct CalibrationPlan {
   /// Details in the order in which they are tried; the first is always kept. Softening by class is not among the defaults: with
   /// so many unknowns the search often ends beside the minimum.
-  std::vector<CalibrationDetail> details{
-      CalibrationDetail::uniform, CalibrationDetail::stiffness,         CalibrationDetail::sections,
-      CalibrationDetail::shear,   CalibrationDetail::bulge_classes,     CalibrationDetail::lateral,
-      CalibrationDetail::fading,  CalibrationDetail::extension_classes, CalibrationDetail::stiffness_classes,
-      CalibrationDetail::joints};
+  std::vector<CalibrationDetail> details{CalibrationDetail::uniform,
+                                         CalibrationDetail::stiffness,
+                                         CalibrationDetail::sections,
+                                         CalibrationDetail::shear,
+                                         CalibrationDetail::bulge_classes,
+                                         CalibrationDetail::lateral,
+                                         CalibrationDetail::elbows,
+                                         CalibrationDetail::fading,
+                                         CalibrationDetail::extension_classes,
+                                         CalibrationDetail::stiffness_classes,
+                                         CalibrationDetail::joints};
   /// If given, all details up to this one are kept, for any gain, if their fits complete. Otherwise Akaike's criterion decides.
   std::optional<CalibrationDetail> choice;
   double aic_margin = 10.0;  ///< a detail is kept if it lowers the criterion by more than this

@@ -100,6 +100,7 @@ const io::Words<CalibrationDetail>& detail_words() {
                                                   {"fading", CalibrationDetail::fading},
                                                   {"joints", CalibrationDetail::joints},
                                                   {"lateral", CalibrationDetail::lateral},
+                                                  {"elbows", CalibrationDetail::elbows},
                                                   {"necks", CalibrationDetail::necks}};
   return words;
 }
@@ -151,6 +152,7 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
     list.add(Quantity::joint_torsion);
   }
   if (has(CalibrationDetail::lateral)) list.add(Quantity::lateral_coupling);
+  if (has(CalibrationDetail::elbows)) list.add(Quantity::elbow_ratio);
   if (has(CalibrationDetail::necks)) list.add(Quantity::bulge_neck_ratio);
   return list.take();
 }
@@ -159,6 +161,7 @@ SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDe
                                 double highest_pressure_Pa) {
   constexpr double tube_shear_ratio = 5.0;  // G is a third of E, and the walls along the force are half of the section
   constexpr double rough_coupling = 0.2;
+  constexpr double rough_elbow_ratio = 2.5;  // of silicone chambers whose walls are a fifth of a cell
   SurrogateParameters p = fitted;
   switch (detail) {
     case CalibrationDetail::bulge_classes:
@@ -184,6 +187,9 @@ SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDe
       break;
     case CalibrationDetail::lateral:
       p.lateral_coupling = rough_coupling;
+      break;
+    case CalibrationDetail::elbows:
+      p.elbow_ratio = rough_elbow_ratio;
       break;
     default:
       break;

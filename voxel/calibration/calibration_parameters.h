@@ -29,6 +29,7 @@ enum class CalibrationDetail {
   softening,  ///< softening of extension and bulge by wall class
   joints,     ///< factors of bonded joints
   lateral,    ///< lateral coupling
+  elbows,     ///< how far elbows open
   /// How far plates stand out where limbs leave them. Always tried last, and fitted alone to the bodies that have such limbs;
   /// these take no part in the fits of all other details.
   necks

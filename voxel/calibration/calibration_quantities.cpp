@@ -49,6 +49,8 @@ double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_cla
       return p.joint.torsion;
     case Quantity::bulge_neck_ratio:
       return p.neck_ratio;
+    case Quantity::elbow_ratio:
+      return p.elbow_ratio;
     case Quantity::lateral_coupling:
       break;
   }
@@ -85,7 +87,8 @@ const io::Words<Quantity>& quantity_words() {
                                          {"joint_bending", Quantity::joint_bending},
                                          {"joint_torsion", Quantity::joint_torsion},
                                          {"lateral_coupling", Quantity::lateral_coupling},
-                                         {"bulge_neck_ratio", Quantity::bulge_neck_ratio}};
+                                         {"bulge_neck_ratio", Quantity::bulge_neck_ratio},
+                                         {"elbow_ratio", Quantity::elbow_ratio}};
   return words;
 }
 std::string_view to_string(Quantity quantity) {
@@ -119,6 +122,7 @@ bool is_positive(Quantity quantity) {
 io::Range allowed_range(Quantity quantity) {
   if (quantity == Quantity::bulge_peak_ratio) return io::at_least(1.0);
   if (quantity == Quantity::bulge_fading_share) return io::within(0.0, 1.0);
+  if (quantity == Quantity::elbow_ratio) return io::non_negative();
   if (quantity == Quantity::lateral_coupling) return {.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
   return is_positive(quantity) ? io::positive() : io::any_number();
 }
@@ -160,6 +164,7 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
   constexpr double largest_peak_ratio = 10.0;
   constexpr double largest_coupling = 0.95;
   constexpr double neck_factor = 10.0;
+  constexpr double largest_elbow_ratio = 20.0;
   const auto about = [](double value, double factor) { return ValueRange{value / factor, value * factor}; };
   const auto up_to = [](double value) { return ValueRange{-std::abs(value), std::abs(value)}; };
   // Without pressures of one sign its softening has no influence, but it still needs a bound.
@@ -197,7 +202,8 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
           {Quantity::joint_bending, about(1.0, joint_factor)},
           {Quantity::joint_torsion, about(1.0, joint_factor)},
           {Quantity::lateral_coupling, {0.0, largest_coupling}},
-          {Quantity::bulge_neck_ratio, about(1.0, neck_factor)}};
+          {Quantity::bulge_neck_ratio, about(1.0, neck_factor)},
+          {Quantity::elbow_ratio, {0.0, largest_elbow_ratio}}};
 }
 
 }  // namespace menger::voxel

@@ -25,7 +25,7 @@ class CudaRunner final : public RobotRunner<Real> {
         loads_(batch.loads_size),
         phases_(std::span<const double>(batch.phases)),
         walls_(std::span<const WallLaws>(batch.walls)),
-        necks_(std::span<const LimbNeck>(batch.necks)),
+        necks_and_elbows_(std::span<const NeckOrElbow>(batch.necks_and_elbows)),
         feet_(std::span<const DeviceFoot>(batch.feet)),
         grounds_(std::span<const VoxelCoefficients<double>>(batch.grounds)),
         responses_(batch.responses_size),
@@ -56,7 +56,7 @@ class CudaRunner final : public RobotRunner<Real> {
                                    .loads = loads_.get(),
                                    .phases = phases_.get(),
                                    .walls = walls_.get(),
-                                   .necks = necks_.get(),
+                                   .necks_and_elbows = necks_and_elbows_.get(),
                                    .feet = feet_.get(),
                                    .grounds = grounds_.get(),
                                    .responses = responses_.get(),
@@ -98,7 +98,7 @@ class CudaRunner final : public RobotRunner<Real> {
   io::DeviceArray<Real> loads_;
   io::DeviceArray<double> phases_;
   io::DeviceArray<WallLaws> walls_;
-  io::DeviceArray<LimbNeck> necks_;
+  io::DeviceArray<NeckOrElbow> necks_and_elbows_;
   io::DeviceArray<DeviceFoot> feet_;
   io::DeviceArray<VoxelCoefficients<double>> grounds_;
   io::DeviceArray<WallResponse> responses_;

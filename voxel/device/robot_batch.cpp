@@ -165,16 +165,16 @@ void RobotBatch<Real>::add_calibrated(const MovingBody<Real>& robot, const FootC
     for (const auto& beams : tables.beam_responses)
       for (const auto& of_halves : beams) indices.push_back(index_of(of_halves[half]));
   }
-  c.necks = necks.size();
+  c.necks_and_elbows = necks_and_elbows.size();
   c.neck_begin = indices.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto neck = tables.necks[axis].begin();
+    auto neck = tables.necks_and_elbows[axis].begin();
     for (std::size_t beam = 0; beam < tables.beam_responses[axis].size(); ++beam) {
-      indices.push_back(index_of(necks.size() - c.necks));
-      for (; neck != tables.necks[axis].end() && neck->beam == beam; ++neck) necks.push_back(*neck);
+      indices.push_back(index_of(necks_and_elbows.size() - c.necks_and_elbows));
+      for (; neck != tables.necks_and_elbows[axis].end() && neck->beam == beam; ++neck) necks_and_elbows.push_back(*neck);
     }
   }
-  indices.push_back(index_of(necks.size() - c.necks));
+  indices.push_back(index_of(necks_and_elbows.size() - c.necks_and_elbows));
   c.voxel_halves = reserve(indices, std::size_t{3} * one.stride);
   for (std::size_t i = 0; i < one.voxels; ++i) {
     for (std::size_t k = 0; k < 3; ++k) indices[c.voxel_halves + one.stride * k + i] = index_of(tables.voxel_responses[i][k]);
@@ -471,7 +471,7 @@ void RobotBatch<Real>::step_alone() {
                            .loads = loads.data(),
                            .phases = phases.data(),
                            .walls = walls.data(),
-                           .necks = necks.data(),
+                           .necks_and_elbows = necks_and_elbows.data(),
                            .feet = feet.data(),
                            .grounds = grounds.data(),
                            .responses = responses.data(),

@@ -61,7 +61,7 @@ class RobotBatch {
   std::vector<DriveMoment> drives;
   std::vector<double> phases;
   std::vector<WallLaws> walls;
-  std::vector<LimbNeck> necks;
+  std::vector<NeckOrElbow> necks_and_elbows;
   std::vector<DeviceFoot> feet;
   std::vector<VoxelCoefficients<double>> grounds;
   std::vector<FootGrip> grips;

@@ -51,7 +51,7 @@ struct CalibratedData {
   std::uint32_t lengths_in_use_count = 0, bulges_in_use_count = 0;
 
   // where its arrays begin in those of the batch
-  std::size_t phase_table = 0, walls = 0, responses = 0, ranges = 0, necks = 0, feet = 0, touches = 0, grounds = 0;
+  std::size_t phase_table = 0, walls = 0, responses = 0, ranges = 0, necks_and_elbows = 0, feet = 0, touches = 0, grounds = 0;
   std::size_t beam_halves = 0;   ///< responses of the lower halves of all beams, then of the upper ones
   std::size_t neck_begin = 0;    ///< per beam, and one more
   std::size_t voxel_halves = 0;  ///< per voxel, component by component
@@ -178,7 +178,7 @@ struct BatchArrays {
   // of calibrated bodies
   const double* phases = nullptr;  ///< cosine and sine each
   const WallLaws* walls = nullptr;
-  const LimbNeck* necks = nullptr;
+  const NeckOrElbow* necks_and_elbows = nullptr;
   const DeviceFoot* feet = nullptr;
   const VoxelCoefficients<double>* grounds = nullptr;  ///< per class of voxels
   WallResponse* responses = nullptr;

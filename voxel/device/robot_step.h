@@ -294,18 +294,18 @@ class RobotStepper {
     const WallResponse& upper = response(index(c.beam_halves, robot_.beams() + beam));
     double length = lower.half_length_m + upper.half_length_m;
     double rate = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
-    OwnLength own{Real(0), Real(0), {Real(0), Real(0), Real(0), Real(0)}};
-    const double half_per_m = 0.5 / c.edge_m;
+    const double strain = length / c.edge_m - 1.0;
+    const double strain_rate = rate / c.edge_m;
+    double half_kink[4] = {};
     for (std::size_t n = index(c.neck_begin, beam); n < index(c.neck_begin, beam + 1); ++n) {
-      const LimbNeck& neck = arrays_.necks[c.necks + n];
-      const WallResponse& wall = response(neck.bulge);
-      length += neck.lift * wall.bulge_peak_m;
-      rate += neck.lift * wall.bulge_peak_rate_m_s;
-      for (std::size_t k = 0; k < 2; ++k) {
-        own.half_kink[k] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_m);
-        own.half_kink[k + 2] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_rate_m_s);
-      }
+      const NeckOrElbow& of = arrays_.necks_and_elbows[c.necks_and_elbows + n];
+      const WallResponse& wall = response(of.bulge);
+      length += of.lift * wall.bulge_peak_m;
+      rate += of.lift * wall.bulge_peak_rate_m_s;
+      add_half_kink(half_kink, of, wall, c.edge_m, strain, strain_rate);
     }
+    OwnLength own{};
+    for (std::size_t k = 0; k < 4; ++k) own.half_kink[k] = static_cast<Real>(half_kink[k]);
     own.length = static_cast<Real>(length);
     own.rate = static_cast<Real>(rate);
     return own;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "voxel/engine/rest_lengths.h"
+#include "voxel/model/elbows.h"
 #include "voxel/model/wall_squares.h"
 
 namespace menger::voxel {
@@ -44,12 +45,23 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     const WallOpening& opening = openings_[v][side];
     for (std::size_t c = 0; c < wall_class_count && opening.lifts; ++c) {
       if (opening.lift[c] == 0.0) continue;
-      tables_.necks[axis].push_back(
+      tables_.necks_and_elbows[axis].push_back(
           {.beam = beam,
            .bulge = wall_class_count * phase_of_[v] + c,
            .lift = parameters_.neck_ratio * opening.lift[c],
-           .turn = {parameters_.neck_ratio * opening.turn[0][c], parameters_.neck_ratio * opening.turn[1][c]}});
+           .turn = {parameters_.neck_ratio * opening.turn[0][c], parameters_.neck_ratio * opening.turn[1][c]},
+           .elbow = {0.0, 0.0}});
     }
+  };
+  const auto elbows = elbow_turns(lattice, voxels, parameters_.voxels_per_cell);
+  const auto add_elbow = [&](std::size_t axis, std::size_t beam) {
+    const auto& [about_u, about_v] = elbows[axis][beam];
+    if (parameters_.elbow_ratio == 0.0 || (about_u == 0.0 && about_v == 0.0)) return;
+    tables_.necks_and_elbows[axis].push_back({.beam = beam,
+                                              .bulge = 0,
+                                              .lift = 0.0,
+                                              .turn = {0.0, 0.0},
+                                              .elbow = {parameters_.elbow_ratio * about_u, parameters_.elbow_ratio * about_v}});
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
@@ -57,6 +69,7 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
       tables_.beam_responses[axis].push_back({response(beams.lower[i], axis), response(beams.upper[i], axis)});
       add_necks(axis, i, beams.lower[i], 2 * axis + 1);
       add_necks(axis, i, beams.upper[i], 2 * axis);
+      add_elbow(axis, i);
     }
   }
   const auto most = std::ranges::max(tables_.beam_responses, {}, [](const auto& beams) { return beams.size(); }).size();
@@ -95,11 +108,11 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
       lengths_m_[i] = lower.half_length_m + upper.half_length_m;
       rates_m_s_[i] = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
     }
-    for (const LimbNeck& neck : tables_.necks[axis]) {
-      lengths_m_[neck.beam] += neck.lift * responses_[neck.bulge].bulge_peak_m;
-      rates_m_s_[neck.beam] += neck.lift * responses_[neck.bulge].bulge_peak_rate_m_s;
-    }
     if (d.axis[axis].half_kink != nullptr) set_kinks(axis, d.axis[axis]);
+    for (const NeckOrElbow& of : tables_.necks_and_elbows[axis]) {
+      lengths_m_[of.beam] += of.lift * responses_[of.bulge].bulge_peak_m;
+      rates_m_s_[of.beam] += of.lift * responses_[of.bulge].bulge_peak_rate_m_s;
+    }
     for (std::size_t i = 0; i < tables_.beam_responses[axis].size(); ++i) {
       const auto length = static_cast<Real>(lengths_m_[i]);
       d.axis[axis].rest_length[i] = d.single_precision_rest_lengths ? rounded_to_single(length) : length;
@@ -111,20 +124,19 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
   }
 }
 
-/// Sets half the kinks of the beams along an axis, and their rates. Most beams have none, and keep their zeros.
+/// Sets half the kinks of the beams along an axis, and their rates, from lengths that necks have not changed yet. Most beams have
+/// none, and keep their zeros.
 template <class Real>
 void PressureDrive<Real>::set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const {
-  const double half_per_m = 0.5 / parameters_.voxel_edge_m();
-  for (const LimbNeck& neck : tables_.necks[axis]) {
-    for (std::size_t k = 0; k < 4; ++k) beams.half_kink[k * beams.count + neck.beam] = Real(0);
-  }
-  for (const LimbNeck& neck : tables_.necks[axis]) {
-    const WallResponse& wall = responses_[neck.bulge];
-    for (std::size_t k = 0; k < 2; ++k) {
-      beams.half_kink[k * beams.count + neck.beam] += static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_m);
-      beams.half_kink[(k + 2) * beams.count + neck.beam] +=
-          static_cast<Real>(half_per_m * neck.turn[k] * wall.bulge_peak_rate_m_s);
-    }
+  const std::vector<NeckOrElbow>& all = tables_.necks_and_elbows[axis];
+  for (auto of = all.begin(); of != all.end();) {
+    const std::size_t beam = of->beam;
+    const double strain = lengths_m_[beam] / tables_.edge_m - 1.0;
+    const double strain_rate = rates_m_s_[beam] / tables_.edge_m;
+    double half_kink[4] = {};
+    for (; of != all.end() && of->beam == beam; ++of)
+      add_half_kink(half_kink, *of, responses_[of->bulge], tables_.edge_m, strain, strain_rate);
+    for (std::size_t k = 0; k < 4; ++k) beams.half_kink[k * beams.count + beam] = static_cast<Real>(half_kink[k]);
   }
 }
 

@@ -72,7 +72,7 @@ class PressureDrive {
     std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_responses;  ///< per axis and beam, of its two halves
     std::vector<std::array<std::size_t, 3>> voxel_responses;                ///< per voxel, of its wall classes along x, y, z
     std::vector<std::array<std::size_t, 3>> bulge_responses;                ///< the same for its bulge classes
-    std::array<std::vector<LimbNeck>, 3> necks;                             ///< per axis, those of a beam one after the other
+    std::array<std::vector<NeckOrElbow>, 3> necks_and_elbows;               ///< per axis, those of a beam one after the other
     std::set<std::size_t> lengths_in_use, bulges_in_use;
   };
   [[nodiscard]] const Tables& tables() const { return tables_; }

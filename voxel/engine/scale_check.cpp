@@ -154,8 +154,12 @@ std::string unusable_growth(const CalibratedBody& body) {
       const PressureLaw& extension = parameters.extension[c];
       const PressureLaw& bulge = parameters.bulge[c];
       std::string problem;
-      if (extension.has_value(pressure))
-        problem = absurd_growth("extension.slope_per_Pa", extension.slope_per_Pa, extension.value(pressure), pressure);
+      if (extension.has_value(pressure)) {
+        const double strain = extension.value(pressure);
+        problem = absurd_growth("extension.slope_per_Pa", extension.slope_per_Pa, strain, pressure);
+        if (problem.empty())
+          problem = absurd_growth("extension.elbow_ratio", parameters.elbow_ratio, parameters.elbow_ratio * strain, pressure);
+      }
       if (problem.empty() && bulge.has_value(pressure)) {
         const double mean = bulge.value(pressure);
         const double ratio = parameters.bulge_peak_ratio[c];

@@ -7,6 +7,7 @@
 
 #include "voxel/kernels/voxel_step.h"
 #include "voxel/model/actuation.h"
+#include "voxel/model/elbows.h"
 #include "voxel/model/wall_openings.h"
 
 namespace menger::voxel {
@@ -262,11 +263,16 @@ void VoxelState<Real>::place_voxels(const VoxelBody& body, const VoxelLoads& loa
   }
 }
 
+/// Whether any beam of a calibrated body has a kink under pressure.
+bool has_kinks(const Lattice& lattice, const HollowVoxels& voxels, const SurrogateParameters& parameters) {
+  if (has_tilted_limbs(wall_openings(lattice, voxels, parameters.voxels_per_cell))) return true;
+  return parameters.elbow_ratio > 0.0 && has_elbows(elbow_turns(lattice, voxels, parameters.voxels_per_cell));
+}
+
 template <class Real>
 void VoxelState<Real>::fill_beams(const VoxelBody& body) {
   const bool own_lengths = body.hollow.has_value();
-  const bool own_kinks = own_lengths && has_tilted_limbs(wall_openings(body.lattice, *body.hollow,
-                                                                       body.physics.surrogate->parameters.voxels_per_cell));
+  const bool own_kinks = own_lengths && has_kinks(body.lattice, *body.hollow, body.physics.surrogate->parameters);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = body.lattice.beams[axis];
     const std::size_t count = padded<Real>(beams.lower.size());

@@ -54,11 +54,23 @@ struct PressureWave {
   }
 };
 
-/// What the walls of one class add to a beam that leaves a plate, see WallOpening.
-struct LimbNeck {
+/// What the walls of one class add to a beam that leaves a plate (WallOpening), or what an elbow adds to a beam (elbow_turns).
+struct NeckOrElbow {
   std::size_t beam, bulge;  ///< along an axis; index of the response of the walls
   double lift;              ///< times the peak of the wall: longer by that
   double turn[2];           ///< times the peak of the wall over the voxel edge: turned by that
+  double elbow[2];          ///< times the strain that pressure gives the beam: turned by that
 };
+
+/// Half the turns of a beam about the two axes after its own (rad), and their rates (rad/s), for one entry of its necks and
+/// elbows.
+/// @param strain, strain_rate of the beam without necks, by pressure
+MENGER_HOST_DEVICE inline void add_half_kink(double (&half_kink)[4], const NeckOrElbow& of, const WallResponse& wall,
+                                             double edge_m, double strain, double strain_rate) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    half_kink[k] += 0.5 * (of.turn[k] * wall.bulge_peak_m / edge_m + of.elbow[k] * strain);
+    half_kink[k + 2] += 0.5 * (of.turn[k] * wall.bulge_peak_rate_m_s / edge_m + of.elbow[k] * strain_rate);
+  }
+}
 
 }  // namespace menger::voxel

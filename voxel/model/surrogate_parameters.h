@@ -121,7 +121,8 @@ struct ValidityRange {
 /// because it comes from the side walls over the whole length of the beam.
 ///
 /// The rest length of a half is (L / 2)(1 + extension[c](p)), with the pressure p of its chamber. It is longer where the half
-/// leaves a plate, and the two halves are at an angle where it leaves the plate off its middle (WallOpening). Lateral coupling
+/// leaves a plate. The two halves are at an angle where it leaves the plate off its middle (WallOpening), and at elbows
+/// (elbow_turns). Lateral coupling
 /// shortens the rest length of a beam along axis a by L c (e_b + e_d). Here e_b and e_d are the strains along the two other axes
 /// b and d, each in the mean over the voxels at both ends; see rest_lengths.h.
 ///
@@ -145,6 +146,8 @@ struct SurrogateParameters {
   ByWallClass<double> torsion_Pa{};               ///< > 0
   ByWallClass<double> shear_compliance_per_Pa{};  ///< >= 0; 0: Euler-Bernoulli
   JointFactors joint;
+  /// Turn of a beam at an elbow, rad, by the strain that pressure gives the beam; >= 0, see elbow_turns.
+  double elbow_ratio = 0.0;
   double lateral_coupling = 0.0;  ///< c, 0 <= c < 1; a wide body contracts by c / (1 + c) of its strain
   ByWallClass<PressureLaw> extension{};
   ByWallClass<PressureLaw> bulge{};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "voxel/engine/rest_lengths.h"
+#include "voxel/model/elbows.h"
 #include "voxel/model/surrogate_beams.h"
 
 namespace menger::voxel {
@@ -65,6 +66,7 @@ void add_voxels(StaticBody& body, const CellBox& box) {
 
 void add_beams(StaticBody& body) {
   const HollowVoxels& voxels = body.voxels;
+  const auto elbows = elbow_turns(body.lattice, voxels, body.parameters.voxels_per_cell);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& along = body.lattice.beams[axis];
     for (std::size_t i = 0; i < along.lower.size(); ++i) {
@@ -74,7 +76,7 @@ void add_beams(StaticBody& body) {
           beam_section(body.parameters, voxels.wall_class[lower][axis], voxels.wall_class[upper][axis],
                        voxels.chamber[lower] != voxels.chamber[upper]);
       body.beam_at[lower][2 * axis + 1] = body.beam_at[upper][2 * axis] = body.beams.size();
-      body.beams.push_back({static_cast<int>(axis), lower, upper, beam_coefficients(section, body.edge_m)});
+      body.beams.push_back({static_cast<int>(axis), lower, upper, beam_coefficients(section, body.edge_m), elbows[axis][i]});
     }
   }
 }
@@ -93,7 +95,7 @@ void add_plate(StaticBody& body, Side side) {
     body.beam_at[voxel][static_cast<std::size_t>(side)] = body.beams.size();
     const SectionStiffness section = section_of(body.parameters, body.voxels.wall_class[voxel][axis]);
     body.beams.push_back(
-        {static_cast<int>(axis), is_max ? voxel : node, is_max ? node : voxel, beam_coefficients(section, half)});
+        {static_cast<int>(axis), is_max ? voxel : node, is_max ? node : voxel, beam_coefficients(section, half), {}});
   }
   body.plates.push_back({side, vector(middle_of_side(body.box_m, side))});
 }
@@ -139,6 +141,11 @@ double StaticBody::rest_length(const DrivenSizes& sizes, const StaticBeam& beam)
 
 AcrossBeam<double> StaticBody::half_kink(const DrivenSizes& sizes, const StaticBeam& beam) const {
   AcrossBeam<double> half{};
+  if (beam.elbow != AcrossBeam<double>{}) {  // of a beam between two voxels
+    const auto axis = static_cast<std::size_t>(beam.axis);
+    const double strain = (half_length(sizes, beam.lower, axis) + half_length(sizes, beam.upper, axis)) / edge_m - 1.0;
+    for (std::size_t k = 0; k < half.size(); ++k) half[k] = 0.5 * parameters.elbow_ratio * strain * beam.elbow[k];
+  }
   for (const std::size_t node : {beam.lower, beam.upper}) {
     if (!is_voxel(node)) continue;
     const std::size_t side = 2 * static_cast<std::size_t>(beam.axis) + (node == beam.lower ? 1 : 0);

@@ -22,6 +22,7 @@ struct StaticBeam {
   std::size_t lower = 0;  ///< node: a voxel, or voxel count + index of a place
   std::size_t upper = 0;
   BeamCoefficients<double> coefficients{};
+  AcrossBeam<double> elbow{};  ///< see elbow_turns; zero for a beam to a plate
 };
 
 /// A place where a plate holds the face of a voxel.

@@ -28,6 +28,7 @@ bool is_size(Quantity quantity) {
     case Quantity::bulge_fading_share:
     case Quantity::bulge_fading:
     case Quantity::bulge_peak_ratio:
+    case Quantity::elbow_ratio:
       return true;
     default:
       return false;
@@ -78,6 +79,7 @@ DetailSet missing_details(const SurrogateParameters& parameters, OwnPart part) {
   look(CalibrationDetail::shear, Quantity::shear_ratio,
        std::any_of(parameters.shear_compliance_per_Pa.begin(), parameters.shear_compliance_per_Pa.end(), shears));
   look(CalibrationDetail::lateral, Quantity::lateral_coupling, parameters.lateral_coupling > 0.0);
+  look(CalibrationDetail::elbows, Quantity::elbow_ratio, parameters.elbow_ratio > 0.0);
   return missing;
 }
 
@@ -93,7 +95,8 @@ CalibrationFit fit_part(const CalibrationProblem& problem, OwnPart part, const D
                     CalibrationDetail::fading,
                     CalibrationDetail::shear,
                     CalibrationDetail::joints,
-                    CalibrationDetail::lateral};
+                    CalibrationDetail::lateral,
+                    CalibrationDetail::elbows};
   for (const CalibrationDetail detail : left_out) details.erase(detail);
   std::vector<FittedParameter> unknowns;
   for (const FittedParameter& unknown : fitted_parameters(details, determined_classes(problem), problem.bounds, problem.start)) {

@@ -117,17 +117,10 @@ TEST(Calibration, BuysClassesOfTheirOwnWhereTheDataAskForThem) {
   EXPECT_TRUE(found.fit().explained);
 }
 
-TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
-  SurrogateParameters truth = rough_parameters(samples::provenance(), 1);
-  truth.axial_Pa.fill(60e3);
-  truth.bending_Pa = truth.torsion_Pa = truth.axial_Pa;
-  truth.extension.fill(samples::law(3e-6, 0.0, 0.0));
-  truth.bulge.fill(samples::law(5e-6, 0.0, 0.0));
-  truth.bulge_peak_ratio.fill(2.0);
-  truth.neck_ratio = 1.7;
-  // A slab, and one on two legs, whose feet move outwards. The slab alone says how far its walls stand out.
+/// Curves of the inflation of bodies that are two cells deep and wide, as a model with these parameters gives them.
+std::vector<FittedCurve> inflations(const SurrogateParameters& truth, const std::vector<const char*>& bodies) {
   std::vector<FittedCurve> curves;
-  for (const char* digits : {"000000111111", "100001111111"}) {
+  for (const char* digits : bodies) {
     meshes::LoadCase load_case = samples::provenance().load_case;
     load_case.name = "inflation";
     load_case.kind = meshes::LoadCaseKind::inflation;
@@ -135,12 +128,30 @@ TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
     load_case.digits = digits;
     load_case.pressures_Pa = {2000, 4000};
     const LoadCaseResponse response = respond(truth, load_case);
-    ASSERT_EQ(response.status, io::RunStatus::completed) << response.reason;
+    EXPECT_EQ(response.status, io::RunStatus::completed) << response.reason;
     meshes::ResponseCurve curve{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
     curve.provenance.load_case = load_case;
     curves.push_back(fitted_curve(curve));
   }
-  CalibrationProblem problem = samples::problem(std::move(curves));
+  return curves;
+}
+
+/// Walls that are all alike, and bulge to a peak of twice their mean.
+SurrogateParameters alike_walls() {
+  SurrogateParameters truth = rough_parameters(samples::provenance(), 1);
+  truth.axial_Pa.fill(60e3);
+  truth.bending_Pa = truth.torsion_Pa = truth.axial_Pa;
+  truth.extension.fill(samples::law(3e-6, 0.0, 0.0));
+  truth.bulge.fill(samples::law(5e-6, 0.0, 0.0));
+  truth.bulge_peak_ratio.fill(2.0);
+  return truth;
+}
+
+TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
+  SurrogateParameters truth = alike_walls();
+  truth.neck_ratio = 1.7;
+  // A slab, and one on two legs, whose feet move outwards. The slab alone says how far its walls stand out.
+  CalibrationProblem problem = samples::problem(inflations(truth, {"000000111111", "100001111111"}));
   problem.responder = equilibrium_responder();
   CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::necks});
   plan.choice = CalibrationDetail::necks;
@@ -153,6 +164,20 @@ TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
   EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 1);
   EXPECT_EQ(found.fit().correlation.size(), found.fit().parameter_count);
   EXPECT_NEAR(value_named(found.fit(), "bulge_neck_ratio").value, 1.7, 0.01);
+}
+
+TEST(Calibration, FindsHowFarElbowsOpen) {
+  SurrogateParameters truth = alike_walls();
+  truth.elbow_ratio = 2.2;
+  CalibrationProblem problem = samples::problem(inflations(truth, {"111100000000", "111000100000"}));
+  problem.responder = equilibrium_responder();
+  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::elbows});
+  plan.choice = CalibrationDetail::elbows;
+  const Calibration found = calibrate(problem, plan);
+  ASSERT_TRUE(found.details().contains(CalibrationDetail::elbows));
+  EXPECT_LT(found.fit().chi2, 1e-3);
+  EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 1);
+  EXPECT_NEAR(value_named(found.fit(), "elbow_ratio").value, 2.2, 0.01);
 }
 
 TEST(Calibration, TakesTheDetailThatIsNamed) {

@@ -285,6 +285,7 @@ TEST(DeviceSteps, GiveTheBytesOfTheEngineForCalibratedBodies) {
     expect_same_strains(physics, 0.06);
     physics.actuation.ramp_s = 0.02;
     physics.surrogate->parameters.neck_ratio = 1.5;
+    physics.surrogate->parameters.elbow_ratio = 2.5;
     physics.surrogate->parameters.lateral_coupling = 0.3;
     expect_same_strains(physics, 0.06);
     physics.integration.single_precision_rest_lengths = true;

@@ -149,6 +149,14 @@ TEST(ScaleCheck, RefusesWallsThatGrowBeyondAHundredEdges) {
   };
   EXPECT_EQ(problem(neck(1.9)), "");
   EXPECT_NE(problem(neck(2.1)).find("bulge.neck_ratio = 2.1"), std::string::npos);
+  const auto elbow = [](double ratio) {
+    return [=](SurrogateParameters& p) {
+      p.extension[walls::one] = {.slope_per_Pa = 10.0 / pressure_Pa};
+      p.elbow_ratio = ratio;
+    };
+  };
+  EXPECT_EQ(problem(elbow(9.9)), "");
+  EXPECT_NE(problem(elbow(10.1)).find("extension.elbow_ratio = 10.1"), std::string::npos);
 }
 
 TEST(ScaleCheck, LeavesLawsWithoutAValueToThoseWhoKnowTheBody) {

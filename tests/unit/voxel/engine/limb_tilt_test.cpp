@@ -1,4 +1,5 @@
-// Limbs that leave a plate off its middle are turned by its slope, in every kernel, without a force from nowhere.
+// Limbs that leave a plate off its middle are turned by its slope, and arms of elbows open, in every kernel, without a force from
+// nowhere.
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,8 @@
 namespace menger::voxel {
 namespace {
 
-/// A plate of 3 x 3 cells on a leg at an edge and one at a corner.
-const meshes::Polycube table = meshes::Polycube::from_digits(3, 3, 2, "100000010111111111");
+/// A plate of 3 x 3 cells on a leg at an edge and one at a corner. The leg at the edge has a foot, which is an elbow.
+const meshes::Polycube table = meshes::Polycube::from_digits(3, 3, 3, "000000011100000010111111111");
 
 /// A body in flight, driven by a pressure that swings.
 Physics flying(DampingMode damping) {
@@ -24,6 +25,7 @@ Physics flying(DampingMode damping) {
   SurrogateParameters& parameters = physics.surrogate->parameters;
   parameters.bulge[walls::none].slope_per_Pa = 5e-5;
   parameters.neck_ratio = 1.5;
+  parameters.elbow_ratio = 3.0;
   physics.actuation.frequency_Hz = 8.0;
   physics.floor = false;
   physics.gravity_m_s2 = 0.0;

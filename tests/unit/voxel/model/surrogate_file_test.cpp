@@ -37,6 +37,7 @@ SurrogateParameters example() {
   p.lateral_coupling = 0.4;
   p.bulge_peak_ratio.fill(2.1);
   p.neck_ratio = 1.7;
+  p.elbow_ratio = 2.3;
   p.ground_stiffness_N_per_m = 512.0 / 3.0;
   p.bond_damping_ratio = 0.2;
   p.damping_measured = true;
@@ -148,6 +149,7 @@ TEST_F(SurrogateFile, NamesWhatIsWrong) {
   expect("lateral_coupling = 0.4", "lateral_coupling = 1", "must be in [0, 1)");
   expect("peak_ratio = [2.1", "peak_ratio = [0.5", "must be >= 1");
   expect("neck_ratio = 1.7", "neck_ratio = 0", "must be > 0");
+  expect("elbow_ratio = 2.3", "elbow_ratio = -1", "must be >= 0");
   expect("axial_Pa = [", "axial_Pa = [1, ", "must be 7 numbers, not 8");
   expect("highest_pressure_Pa = [6000", "highest_pressure_Pa = [1e6", "has its pole within the range of validity");
   expect("lowest_pressure_gap_2_Pa = [-3000, ", "lowest_pressure_gap_2_Pa = [", "must be 7 numbers, not 6");

@@ -344,6 +344,32 @@ TEST(LoadCaseResponse, SplaysTheLegsOfTablesAsFiniteElementsDo) {
   }
 }
 
+TEST(LoadCaseResponse, OpensAnElbowByTheStrainOfItsBeams) {
+  // No load acts on free arms, so both beams turn by their whole angle: the arm along x away from y, and the other way round.
+  SurrogateParameters parameters = response_parameters();
+  parameters.elbow_ratio = 3.0;
+  for (const double pressure : {4000.0, -4000.0}) {
+    LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {pressure});
+    of.cells = {2, 2, 1};
+    of.digits = "1110";
+    bool visited = false;
+    const LoadCaseResponse response = visit_states(parameters, of, {}, [&](std::size_t, const Equilibrium& equilibrium) {
+      visited = true;
+      const double angle = 3.0 * parameters.extension[0].value(pressure);
+      ASSERT_GT(std::abs(angle), 0.005);
+      const auto turn_of = [&](std::size_t arm) {
+        return rotation_vector(seen_from(equilibrium.pose(0).orientation, equilibrium.pose(arm).orientation));
+      };
+      EXPECT_NEAR(turn_of(1).z, -angle, 1e-9);
+      EXPECT_NEAR(turn_of(2).z, angle, 1e-9);
+      EXPECT_NEAR(turn_of(1).x, 0.0, 1e-9);
+      EXPECT_NEAR(turn_of(1).y, 0.0, 1e-9);
+    });
+    ASSERT_EQ(response.status, io::RunStatus::completed) << response.reason;
+    EXPECT_TRUE(visited);
+  }
+}
+
 TEST(LoadCaseResponse, TiltsALegByTheSlopeOfItsPlate) {
   // No load acts on a free leg, so it stands on the plane through the corners of its opening: two at the rim, two at crowns.
   SurrogateParameters parameters = response_parameters();
