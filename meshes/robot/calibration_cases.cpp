@@ -58,6 +58,8 @@ std::vector<CalibrationCase> all_cases() {
       {"slab_inflation", "inflation", {3, 2, 1}, "111111"},
       {"elbow_inflation", "inflation", square, "1110"},
       {"tripod_inflation", "inflation", {2, 2, 2}, "11101000"},
+      // Two legs below the ends of a bar: the corners open, and move the feet apart.
+      {"arch_inflation", "inflation", {3, 1, 2}, "101111"},
       {"cube_inflation", "inflation", cube, cube_digits},
       {"joint_inflation", "inflation", joint, "11", 2},
       {"cell_blocked", "blocked", cell, "1", 1, seven},

@@ -1,6 +1,7 @@
 # How close do voxels come to finite elements, where they are fitted and on bodies that no fit has seen?
 part fit "5 min of two cores" "load cases of cells, bars and joints, and the fit of the voxels to them"
-part held_out "10 min of two cores" "ten other bodies, by the voxels as they are fitted in the tree"
+part held_out "10 min of two cores" "fifteen other bodies, by the voxels as they are fitted in the tree"
+part aggregates "4 min of one core" "thirteen aggregates of 3 to 9 modules, likewise"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 fit() {
@@ -14,4 +15,11 @@ held_out() {
   menger validate voxel/studies/held_out.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
     --curves "$results/held_out_curves" --output "$results/held_out"
   table "$results/held_out/summary.csv" "$study/held_out.csv"
+}
+
+aggregates() {
+  menger load-cases fem/studies/load_cases/aggregates.toml --output "$results/aggregates_curves"
+  menger validate voxel/studies/aggregates.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
+    --curves "$results/aggregates_curves" --output "$results/aggregates"
+  table "$results/aggregates/summary.csv" "$study/aggregates.csv"
 }

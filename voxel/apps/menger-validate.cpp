@@ -65,7 +65,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   app.add_flag("--keep", arguments.keep,
                "also write the expected errors by kind of body beside the parameters, from where menger simulate and menger "
-               "evolve tell users of them");
+               "evolve tell users of them; kinds that were not compared keep what is there of the same parameters");
   return io::parse_arguments(app, argc, argv);
 }
 
@@ -138,7 +138,10 @@ int run(int argc, const char* const* argv) {
     return io::exit_code_of(result.status);
   }
   folder.finish(parameter_text(study, parameters), inputs);
-  if (arguments.keep) voxel::expected_errors_table(result.expected).write(voxel::expected_errors_file(study.parameters));
+  if (arguments.keep) {
+    const voxel::ExpectedErrors all = voxel::together_with(result.expected, voxel::read_expected_errors(study.parameters));
+    voxel::expected_errors_table(all).write(voxel::expected_errors_file(study.parameters));
+  }
   for (const std::string& line : voxel::report_lines(result, study.aim)) std::cout << line << '\n';
   std::cout << io::to_string(result.status) << ": " << result.comparisons.size() << " curves; results in "
             << arguments.folder.string() << '\n';

@@ -114,6 +114,15 @@ std::optional<ExpectedErrors> read_expected_errors(const std::filesystem::path& 
   return errors;
 }
 
+ExpectedErrors together_with(const ExpectedErrors& found, const std::optional<ExpectedErrors>& earlier) {
+  ExpectedErrors all = found;
+  if (!earlier || earlier->parameters_hash != found.parameters_hash) return all;
+  for (std::size_t kind = 0; kind < all.kinds.size(); ++kind) {
+    if (!all.kinds[kind]) all.kinds[kind] = earlier->kinds[kind];
+  }
+  return all;
+}
+
 KnownErrors known_errors(const SurrogateParameters& parameters, const std::optional<std::filesystem::path>& parameters_file) {
   if (!parameters_file) return {.missing = "the parameters come without a file, beside which a table of errors could lie"};
   KnownErrors known{.errors = read_expected_errors(*parameters_file)};

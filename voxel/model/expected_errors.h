@@ -54,6 +54,10 @@ std::filesystem::path expected_errors_file(const std::filesystem::path& paramete
 /// @throws io::InputError with file, column and value
 std::optional<ExpectedErrors> read_expected_errors(const std::filesystem::path& parameters_file);
 
+/// Returns the errors of a validation together with those that an earlier one found, by other load cases, for kinds of bodies
+/// that it did not compare. An earlier one of other parameters counts for nothing.
+ExpectedErrors together_with(const ExpectedErrors& found, const std::optional<ExpectedErrors>& earlier);
+
 /// What is known of the errors of calibrated parameters, and where from.
 struct KnownErrors {
   std::optional<ExpectedErrors> errors{};  ///< nothing if none hold for the parameters

@@ -61,6 +61,20 @@ bool has_warning(const std::vector<std::string>& lines, const std::string& text)
       lines, [&](const std::string& line) { return line.starts_with("warning: ") && line.find(text) != std::string::npos; });
 }
 
+TEST(ExpectedErrors, OfOtherKindsAreKeptWhileTheParametersAreTheSame) {
+  ExpectedErrors found{.parameters_hash = "one"};
+  found.kinds[static_cast<std::size_t>(BodyKind::aggregate)] = KindErrors{.bodies = {"pair"}};
+  ExpectedErrors earlier{.parameters_hash = "one"};
+  earlier.kinds[static_cast<std::size_t>(BodyKind::limbs)] = KindErrors{.bodies = {"elbow"}};
+  earlier.kinds[static_cast<std::size_t>(BodyKind::aggregate)] = KindErrors{.bodies = {"old"}};
+  const ExpectedErrors all = together_with(found, earlier);
+  EXPECT_EQ(all.of(BodyKind::limbs), earlier.of(BodyKind::limbs));
+  EXPECT_EQ(all.of(BodyKind::aggregate), found.of(BodyKind::aggregate));
+  earlier.parameters_hash = "another";
+  EXPECT_EQ(together_with(found, earlier), found);
+  EXPECT_EQ(together_with(found, std::nullopt), found);
+}
+
 TEST_F(ErrorsBesideParameters, AreReadAsTheyWereWritten) {
   EXPECT_EQ(expected_errors_file(parameters_).filename(), "soft.errors.csv");
   EXPECT_EQ(read_expected_errors(parameters_), example_errors());
