@@ -118,6 +118,8 @@ int run(int argc, const char* const* argv) {
   const voxel::SurrogateParameters parameters = voxel::read_surrogate(study.parameters);
   const voxel::FitRecord record = voxel::read_fit_record(study.parameters);
 
+  const auto earlier = arguments.keep ? voxel::read_expected_errors(study.parameters) : std::nullopt;
+
   const io::RunFolder folder("menger-validate", arguments.folder);
   if (study.load_cases) {
     const fs::path curves = voxel::load_case_folder(study, arguments.folder / "curves");
@@ -139,7 +141,7 @@ int run(int argc, const char* const* argv) {
   }
   folder.finish(parameter_text(study, parameters), inputs);
   if (arguments.keep) {
-    const voxel::ExpectedErrors all = voxel::together_with(result.expected, voxel::read_expected_errors(study.parameters));
+    const voxel::ExpectedErrors all = voxel::together_with(result.expected, earlier);
     voxel::expected_errors_table(all).write(voxel::expected_errors_file(study.parameters));
   }
   for (const std::string& line : voxel::report_lines(result, study.aim)) std::cout << line << '\n';

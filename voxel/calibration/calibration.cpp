@@ -67,6 +67,12 @@ bool has_necks(const meshes::LoadCase& load_case, const SurrogateParameters& par
                              [](const auto& of_voxel) { return std::ranges::any_of(of_voxel, &WallOpening::lifts); });
 }
 
+/// Whether any beam of a body turns at an elbow.
+bool has_elbows(const meshes::LoadCase& load_case, const SurrogateParameters& parameters) {
+  const StaticBody body = load_case_body(parameters, load_case);
+  return std::ranges::any_of(body.beams, [](const StaticBeam& beam) { return beam.elbow != AcrossBeam<double>{}; });
+}
+
 /// Whether a fit completed and its error is no larger than that of another, regardless of their numbers of parameters.
 bool is_as_good(const CalibrationFit& fit, const CalibrationFit& other) {
   constexpr double slack = 1.0;  // of the criterion, where smaller differences have no meaning
@@ -144,7 +150,12 @@ struct Search {
     const auto fit_from = [&](const SurrogateParameters& start) { return fit_to(others, parameters, start); };
     const bool has_before = !calibration.steps.empty() && calibration.fit().parameter_count > 0;
     const SurrogateParameters& before = has_before ? calibration.fit().parameters : problem.start;
-    const auto starts = starts_with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest);
+    auto starts = starts_with_detail(before, detail, problem.start, pressure_range_Pa(problem.curves).highest);
+    // A start that no curve feels would stay as it is, and bend all elbows by a number that nothing determines.
+    if (detail == CalibrationDetail::elbows && std::ranges::none_of(problem.curves, [&](const FittedCurve& curve) {
+          return has_elbows(curve.load_case, problem.start);
+        }))
+      starts = {before};
     CalibrationFit fit = fit_from(starts.front());
     for (std::size_t n = 1; n < starts.size() && fit.status != io::RunStatus::stopped; ++n) {
       CalibrationFit other = fit_from(starts[n]);

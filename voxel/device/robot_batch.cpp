@@ -166,12 +166,12 @@ void RobotBatch<Real>::add_calibrated(const MovingBody<Real>& robot, const FootC
       for (const auto& of_halves : beams) indices.push_back(index_of(of_halves[half]));
   }
   c.necks_and_elbows = necks_and_elbows.size();
-  c.neck_begin = indices.size();
+  c.entry_begin = indices.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto neck = tables.necks_and_elbows[axis].begin();
+    auto entry = tables.necks_and_elbows[axis].begin();
     for (std::size_t beam = 0; beam < tables.beam_responses[axis].size(); ++beam) {
       indices.push_back(index_of(necks_and_elbows.size() - c.necks_and_elbows));
-      for (; neck != tables.necks_and_elbows[axis].end() && neck->beam == beam; ++neck) necks_and_elbows.push_back(*neck);
+      for (; entry != tables.necks_and_elbows[axis].end() && entry->beam == beam; ++entry) necks_and_elbows.push_back(*entry);
     }
   }
   indices.push_back(index_of(necks_and_elbows.size() - c.necks_and_elbows));

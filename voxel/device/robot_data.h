@@ -53,7 +53,7 @@ struct CalibratedData {
   // where its arrays begin in those of the batch
   std::size_t phase_table = 0, walls = 0, responses = 0, ranges = 0, necks_and_elbows = 0, feet = 0, touches = 0, grounds = 0;
   std::size_t beam_halves = 0;   ///< responses of the lower halves of all beams, then of the upper ones
-  std::size_t neck_begin = 0;    ///< per beam, and one more
+  std::size_t entry_begin = 0;   ///< per beam, and one more
   std::size_t voxel_halves = 0;  ///< per voxel, component by component
   std::size_t foot_begin = 0;    ///< per voxel, and one more
   std::size_t lengths_in_use = 0, bulges_in_use = 0;

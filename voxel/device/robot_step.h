@@ -294,15 +294,20 @@ class RobotStepper {
     const WallResponse& upper = response(index(c.beam_halves, robot_.beams() + beam));
     double length = lower.half_length_m + upper.half_length_m;
     double rate = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
-    const double strain = length / c.edge_m - 1.0;
-    const double strain_rate = rate / c.edge_m;
     double half_kink[4] = {};
-    for (std::size_t n = index(c.neck_begin, beam); n < index(c.neck_begin, beam + 1); ++n) {
-      const NeckOrElbow& of = arrays_.necks_and_elbows[c.necks_and_elbows + n];
-      const WallResponse& wall = response(of.bulge);
-      length += of.lift * wall.bulge_peak_m;
-      rate += of.lift * wall.bulge_peak_rate_m_s;
-      add_half_kink(half_kink, of, wall, c.edge_m, strain, strain_rate);
+    const std::size_t first = index(c.entry_begin, beam);
+    const std::size_t last = index(c.entry_begin, beam + 1);
+    if (first < last) {
+      const double per_edge = 1.0 / c.edge_m;
+      const double strain = per_edge * length - 1.0;
+      const double strain_rate = per_edge * rate;
+      for (std::size_t n = first; n < last; ++n) {
+        const NeckOrElbow& entry = arrays_.necks_and_elbows[c.necks_and_elbows + n];
+        const WallResponse& wall = response(entry.bulge);
+        length += entry.lift * wall.bulge_peak_m;
+        rate += entry.lift * wall.bulge_peak_rate_m_s;
+        add_half_kink(half_kink, entry, wall, per_edge, strain, strain_rate);
+      }
     }
     OwnLength own{};
     for (std::size_t k = 0; k < 4; ++k) own.half_kink[k] = static_cast<Real>(half_kink[k]);

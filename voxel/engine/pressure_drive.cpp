@@ -58,7 +58,7 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     const auto& [about_u, about_v] = elbows[axis][beam];
     if (parameters_.elbow_ratio == 0.0 || (about_u == 0.0 && about_v == 0.0)) return;
     tables_.necks_and_elbows[axis].push_back({.beam = beam,
-                                              .bulge = 0,
+                                              .bulge = tables_.beam_responses[axis][beam][0],  // of a class that the body has
                                               .lift = 0.0,
                                               .turn = {0.0, 0.0},
                                               .elbow = {parameters_.elbow_ratio * about_u, parameters_.elbow_ratio * about_v}});
@@ -109,9 +109,9 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
       rates_m_s_[i] = lower.half_length_rate_m_s + upper.half_length_rate_m_s;
     }
     if (d.axis[axis].half_kink != nullptr) set_kinks(axis, d.axis[axis]);
-    for (const NeckOrElbow& of : tables_.necks_and_elbows[axis]) {
-      lengths_m_[of.beam] += of.lift * responses_[of.bulge].bulge_peak_m;
-      rates_m_s_[of.beam] += of.lift * responses_[of.bulge].bulge_peak_rate_m_s;
+    for (const NeckOrElbow& entry : tables_.necks_and_elbows[axis]) {
+      lengths_m_[entry.beam] += entry.lift * responses_[entry.bulge].bulge_peak_m;
+      rates_m_s_[entry.beam] += entry.lift * responses_[entry.bulge].bulge_peak_rate_m_s;
     }
     for (std::size_t i = 0; i < tables_.beam_responses[axis].size(); ++i) {
       const auto length = static_cast<Real>(lengths_m_[i]);
@@ -128,14 +128,15 @@ void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
 /// none, and keep their zeros.
 template <class Real>
 void PressureDrive<Real>::set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const {
-  const std::vector<NeckOrElbow>& all = tables_.necks_and_elbows[axis];
-  for (auto of = all.begin(); of != all.end();) {
-    const std::size_t beam = of->beam;
-    const double strain = lengths_m_[beam] / tables_.edge_m - 1.0;
-    const double strain_rate = rates_m_s_[beam] / tables_.edge_m;
+  const std::vector<NeckOrElbow>& entries = tables_.necks_and_elbows[axis];
+  const double per_edge = 1.0 / tables_.edge_m;
+  for (auto entry = entries.begin(); entry != entries.end();) {
+    const std::size_t beam = entry->beam;
+    const double strain = per_edge * lengths_m_[beam] - 1.0;
+    const double strain_rate = per_edge * rates_m_s_[beam];
     double half_kink[4] = {};
-    for (; of != all.end() && of->beam == beam; ++of)
-      add_half_kink(half_kink, *of, responses_[of->bulge], tables_.edge_m, strain, strain_rate);
+    for (; entry != entries.end() && entry->beam == beam; ++entry)
+      add_half_kink(half_kink, *entry, responses_[entry->bulge], per_edge, strain, strain_rate);
     for (std::size_t k = 0; k < 4; ++k) beams.half_kink[k * beams.count + beam] = static_cast<Real>(half_kink[k]);
   }
 }

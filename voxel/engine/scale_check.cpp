@@ -145,6 +145,15 @@ std::string absurd_growth(std::string_view key, double value, double growth, dou
          " edges, but at most this is allowed: " + io::number_text(largest_growth);
 }
 
+/// Returns why elbows turn by too much at a pressure, or an empty text. @param strain of a beam by pressure
+std::string absurd_turn(double elbow_ratio, double strain, double pressure_Pa) {
+  const double turn_rad = elbow_ratio * strain;
+  if (std::abs(turn_rad) <= std::numbers::pi) return "";
+  return "parameters.extension.elbow_ratio = " + io::number_text(elbow_ratio) +
+         ": at pressure_Pa = " + io::number_text(pressure_Pa) + " an elbow turns by " + io::number_text(turn_rad) +
+         " rad, more than half a circle";
+}
+
 /// Returns why the growth at the pressures of the drive is unusable, or an empty text. Whether a law has a value there is checked
 /// with the body, which need not have its class.
 std::string unusable_growth(const CalibratedBody& body) {
@@ -157,8 +166,7 @@ std::string unusable_growth(const CalibratedBody& body) {
       if (extension.has_value(pressure)) {
         const double strain = extension.value(pressure);
         problem = absurd_growth("extension.slope_per_Pa", extension.slope_per_Pa, strain, pressure);
-        if (problem.empty())
-          problem = absurd_growth("extension.elbow_ratio", parameters.elbow_ratio, parameters.elbow_ratio * strain, pressure);
+        if (problem.empty()) problem = absurd_turn(parameters.elbow_ratio, strain, pressure);
       }
       if (problem.empty() && bulge.has_value(pressure)) {
         const double mean = bulge.value(pressure);

@@ -14,6 +14,12 @@ namespace menger::voxel {
 
 namespace {
 
+/// Whether any beam of a calibrated body has a kink under pressure.
+bool has_kinks(const Lattice& lattice, const HollowVoxels& voxels, const SurrogateParameters& parameters) {
+  if (has_tilted_limbs(wall_openings(lattice, voxels, parameters.voxels_per_cell))) return true;
+  return parameters.elbow_ratio > 0.0 && has_elbows(elbow_turns(lattice, voxels, parameters.voxels_per_cell));
+}
+
 /// Bodies up to this many edges away from their origin keep it.
 constexpr double farthest_edges = 8.0;
 
@@ -261,12 +267,6 @@ void VoxelState<Real>::place_voxels(const VoxelBody& body, const VoxelLoads& loa
     load_ = external_;
     data.load = load_.data();
   }
-}
-
-/// Whether any beam of a calibrated body has a kink under pressure.
-bool has_kinks(const Lattice& lattice, const HollowVoxels& voxels, const SurrogateParameters& parameters) {
-  if (has_tilted_limbs(wall_openings(lattice, voxels, parameters.voxels_per_cell))) return true;
-  return parameters.elbow_ratio > 0.0 && has_elbows(elbow_turns(lattice, voxels, parameters.voxels_per_cell));
 }
 
 template <class Real>

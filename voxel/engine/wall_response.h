@@ -64,12 +64,15 @@ struct NeckOrElbow {
 
 /// Half the turns of a beam about the two axes after its own (rad), and their rates (rad/s), for one entry of its necks and
 /// elbows.
+/// @param per_edge 1 / m
 /// @param strain, strain_rate of the beam without necks, by pressure
-MENGER_HOST_DEVICE inline void add_half_kink(double (&half_kink)[4], const NeckOrElbow& of, const WallResponse& wall,
-                                             double edge_m, double strain, double strain_rate) {
+MENGER_HOST_DEVICE inline void add_half_kink(double (&half_kink)[4], const NeckOrElbow& entry, const WallResponse& wall,
+                                             double per_edge, double strain, double strain_rate) {
+  const double slope = per_edge * wall.bulge_peak_m;
+  const double slope_rate = per_edge * wall.bulge_peak_rate_m_s;
   for (std::size_t k = 0; k < 2; ++k) {
-    half_kink[k] += 0.5 * (of.turn[k] * wall.bulge_peak_m / edge_m + of.elbow[k] * strain);
-    half_kink[k + 2] += 0.5 * (of.turn[k] * wall.bulge_peak_rate_m_s / edge_m + of.elbow[k] * strain_rate);
+    half_kink[k] += 0.5 * (entry.turn[k] * slope + entry.elbow[k] * strain);
+    half_kink[k + 2] += 0.5 * (entry.turn[k] * slope_rate + entry.elbow[k] * strain_rate);
   }
 }
 

@@ -52,18 +52,20 @@ constexpr ByBodyKind<KindNames> kind_names{{{"limbs", "a body of limbs", "bodies
                                             {"plate_on_legs", "a plate on legs", "plates on legs"},
                                             {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
                                             {"block", "a block (every cell in a square of four)", "blocks"},
-                                            {"aggregate", "an aggregate", "aggregates"}}};
+                                            {"aggregate_of_limbs", "an aggregate of limbs", "aggregates of limbs"},
+                                            {"aggregate_of_plates", "an aggregate of plates", "aggregates of plates"}}};
 
 const KindNames& names_of(BodyKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
 }  // namespace
 
 BodyKind kind_of(const Polycube& basal_body, int level) {
-  if (level > 1) return BodyKind::aggregate;
   const std::vector<CellIndex> cells = basal_body.occupied();  // the lowest layer first
   const auto in_square = [&basal_body](const CellIndex& cell) { return is_in_square(basal_body, cell); };
   const auto is_lowest = [&cells](const CellIndex& cell) { return cell.z == cells.front().z; };
-  if (std::none_of(cells.begin(), cells.end(), in_square)) return BodyKind::limbs;
+  const bool has_squares = std::any_of(cells.begin(), cells.end(), in_square);
+  if (level > 1) return has_squares ? BodyKind::aggregate_of_plates : BodyKind::aggregate_of_limbs;
+  if (!has_squares) return BodyKind::limbs;
   if (is_flat(cells)) return BodyKind::flat_plate;
   if (std::none_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return is_lowest(cell) && in_square(cell); }))
     return BodyKind::plate_on_legs;

@@ -18,14 +18,15 @@ namespace menger::voxel {
 ///
 ///   elbow_ratio times e,
 ///
-/// with e the strain that the pressure gives the beam, the mean extension of its two halves. On finite elements the turn goes
-/// with the strain within a few per cent, is the same for elbows within a module and for those between two, and is the same
-/// under vacuum but for its sign. At a crossing the turns of opposite sides cancel.
+/// with e the strain that the pressure gives the beam, the mean extension of its two halves, whatever the pressure of other
+/// chambers. Edges between modules count as those within them. At a crossing the turns of opposite sides cancel, and in a step
+/// those of its two edges, so that the offset by which a step opens is left out.
 ///
 /// A turn is given as in WallOpening, for an elbow_ratio times e of 1: the voxel at the upper end of the beam against that at
-/// the lower end, about the two axes after the beam's own, rad. Where a limb leaves a plate, the plate decides how it leans
-/// (WallOpening), so edges with a plate beside them do not count. Nor do those of voxels finer than cells: there the beams that
-/// lie side by side bend an arm by their lengths.
+/// the lower end, about the two axes after the beam's own, rad. Where a limb leaves a plate of its chamber, the plate decides how
+/// it leans (WallOpening), so edges on a side that lies in a plate do not count; where it stands on a plate of another module it
+/// does not lean at all. Nor do edges of voxels finer than cells count: there the beams that lie side by side bend an arm by
+/// their lengths.
 std::array<std::vector<AcrossBeam<double>>, 3> elbow_turns(const Lattice& lattice, const HollowVoxels& voxels,
                                                            int voxels_per_cell);
 

@@ -164,7 +164,7 @@ std::vector<std::string> expected_error_text(const KnownErrors& known, bool has_
   std::vector<std::string> warnings;
   std::vector<std::string> wrong_signs;
   for (const BodyKind kind : body_kinds) {
-    if (kind == BodyKind::aggregate && !has_aggregates) continue;
+    if (is_aggregate(kind) && !has_aggregates) continue;
     const std::optional<KindErrors>& errors = known.errors->of(kind);
     if (!errors) {
       warnings.push_back(no_validation_of(kind));

@@ -174,7 +174,8 @@ void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
       });
   visitor.table({"extension", "How the rest length of beams depends on pressure, by wall class."}, [&] {
     describe_laws(visitor, parameters.extension);
-    visitor.number({"elbow_ratio", "Turn of a beam at an elbow (rad), divided by the strain that pressure gives the beam."},
+    visitor.number({"elbow_ratio",
+                    "Turn of a beam where a tube bends or branches (rad), divided by the strain that pressure gives the beam."},
                    parameters.elbow_ratio, io::non_negative());
     if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.extension, true);
   });

@@ -81,25 +81,33 @@ Vector3<double> BodyShape::mean_of_faces(Side side) const {
   return (1.0 / static_cast<double>(voxels.size())) * sum;
 }
 
-Vector3<double> BodyShape::point_of_top(std::size_t voxel, const std::array<int, 2>& towards) const {
-  const std::array<Side, 2> sides{side_of(0, towards[0] > 0), side_of(1, towards[1] > 0)};
-  std::array<bool, 2> at_wall{};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    at_wall[axis] = towards[axis] != 0 && body_->voxels.walled[voxel][static_cast<std::size_t>(sides[axis])];
+bool BodyShape::ends_at_wall(std::size_t voxel, const std::array<int, 2>& towards) const {
+  for (std::size_t axis = 0; axis < towards.size(); ++axis) {
+    const auto side = static_cast<std::size_t>(side_of(axis, towards.at(axis) > 0));
+    if (towards.at(axis) != 0 && body_->voxels.walled[voxel][side]) return true;
   }
-  if (!at_wall[0] && !at_wall[1])
-    return face(voxel, Side::z_max, body_->parameters.bulge_peak_ratio[body_->voxels.bulge_class[voxel][2]]);
+  return false;
+}
+
+Vector3<double> BodyShape::rim_of_top(std::size_t voxel, const std::array<int, 2>& towards) const {
+  const auto out = [&](std::size_t axis) { return towards.at(axis) * half_length(voxel, side_of(axis, towards.at(axis) > 0)); };
   const Pose& pose = (*poses_)[voxel];
-  const auto rim = [&](std::size_t axis) { return at_wall[axis] ? towards[axis] * half_length(voxel, sides[axis]) : 0.0; };
-  return pose.position + rotate(matrix(pose.orientation), Vector3<double>{rim(0), rim(1), half_length(voxel, Side::z_max)});
+  return pose.position + rotate(matrix(pose.orientation), Vector3<double>{out(0), out(1), half_length(voxel, Side::z_max)});
 }
 
 Vector3<double> BodyShape::middle_of_top() const {
   const meshes::BodyTop top = meshes::top_of(cells_of(*body_));
+  bool is_rim = false;
+  for (std::size_t n = 0; n < top.cells.size(); ++n) is_rim = is_rim || ends_at_wall(top.cells[n], top.towards[n]);
   Vector3<double> sum{0.0, 0.0, 0.0};
   for (std::size_t n = 0; n < top.cells.size(); ++n) {
     const std::size_t voxel = top.cells[n];
-    sum = sum + (top.is_open ? face(voxel, Side::z_max, 0.0) : point_of_top(voxel, top.towards[n]));
+    if (is_rim && !top.is_open) {
+      sum = sum + rim_of_top(voxel, top.towards[n]);
+    } else {
+      const double peak_ratio = body_->parameters.bulge_peak_ratio[body_->voxels.bulge_class[voxel][2]];
+      sum = sum + face(voxel, Side::z_max, top.is_open ? 0.0 : peak_ratio);
+    }
   }
   return (1.0 / static_cast<double>(top.cells.size())) * sum;
 }

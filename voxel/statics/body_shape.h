@@ -40,8 +40,9 @@ class BodyShape {
   [[nodiscard]] double extent(std::size_t axis) const;
 
   /// Height of the middle of the top above the mean of the bottom faces, m. A wall stands out there by bulge_peak_ratio times its
-  /// mean, but not where it ends at a wall between two modules or chambers. If no voxel lies in the middle of the top layer, it
-  /// is the height of the nearest voxels without bulge, because the rim of a wall beside them does not move.
+  /// mean. But where a wall across it ends, as in the corner of an L or where modules meet, it is the height of this rim. If no
+  /// voxel lies in the middle of the top layer, it is the height of the nearest voxels without bulge, because the rim of a wall
+  /// beside them does not move.
   [[nodiscard]] double top_height() const;
 
   /// Extents of the body and height of its top, in the frame of the body, m.
@@ -77,8 +78,10 @@ class BodyShape {
  private:
   [[nodiscard]] Vector3<double> mean_of_faces(meshes::Side side) const;
   [[nodiscard]] Vector3<double> middle_of_top() const;
-  /// @param towards see meshes::BodyTop
-  [[nodiscard]] Vector3<double> point_of_top(std::size_t voxel, const std::array<int, 2>& towards) const;
+  /// Whether a wall stands on a side of a voxel on which the middle of the top lies. @param towards see meshes::BodyTop
+  [[nodiscard]] bool ends_at_wall(std::size_t voxel, const std::array<int, 2>& towards) const;
+  /// The point of a voxel at the middle of the top, where its wall does not bulge.
+  [[nodiscard]] Vector3<double> rim_of_top(std::size_t voxel, const std::array<int, 2>& towards) const;
   /// The ends of the body, at rest and now.
   struct Ends {
     meshes::EndPoints at_rest{};

@@ -40,6 +40,13 @@ TEST(BodyTop, NamesTheCellsNearestToTheMiddle) {
   EXPECT_EQ(top_of(occupied_cells({3, 3, 1}, "111101111")).cells, (std::vector<std::size_t>{1, 3, 4, 6})) << "a ring";
 }
 
+TEST(BodyTop, SaysOnWhichSidesOfItsCellsItLies) {
+  using Sides = std::vector<std::array<int, 2>>;
+  EXPECT_EQ(top_of(occupied_cells({3, 1, 1}, "111")).towards, (Sides{{0, 0}}));
+  EXPECT_EQ(top_of(occupied_cells({2, 1, 1}, "11")).towards, (Sides{{1, 0}, {-1, 0}}));
+  EXPECT_EQ(top_of(occupied_cells({2, 2, 1}, "1110")).towards, (Sides{{1, 1}, {-1, 1}, {1, -1}}));
+}
+
 TEST(BodyTop, LooksAtTheTopLayerAlone) {
   // A full lower layer, and a top of one cell in a corner.
   EXPECT_EQ(points_of({3, 3, 2}, "111111111100000000"), (Points{{1.0, 1.0, 2.0}}));

@@ -166,6 +166,16 @@ TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
   EXPECT_NEAR(value_named(found.fit(), "bulge_neck_ratio").value, 1.7, 0.01);
 }
 
+TEST(Calibration, LeavesElbowsAsTheyAreWhereNoCurveHasOne) {
+  CalibrationProblem problem = samples::problem(inflations(alike_walls(), {"111000000000"}));
+  problem.responder = equilibrium_responder();
+  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::elbows});
+  plan.choice = CalibrationDetail::elbows;
+  const Calibration found = calibrate(problem, plan);
+  ASSERT_TRUE(found.details().contains(CalibrationDetail::elbows));
+  EXPECT_EQ(found.fit().parameters.elbow_ratio, 0.0);
+}
+
 TEST(Calibration, FindsHowFarElbowsOpen) {
   SurrogateParameters truth = alike_walls();
   truth.elbow_ratio = 2.2;

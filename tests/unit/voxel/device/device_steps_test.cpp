@@ -251,7 +251,7 @@ TEST(DeviceSteps, GiveTheBytesOfTheEngineForLateralCoupling) {
   }
 }
 
-/// Hollow cells of which some stand on plates with limbs off their middle.
+/// Hollow cells: plates on limbs off their middle, and elbows.
 std::vector<meshes::Polycube> hollow_bodies() {
   meshes::Polycube table(3, 3, 2);
   for (int x = 0; x < 3; ++x) {
@@ -259,7 +259,7 @@ std::vector<meshes::Polycube> hollow_bodies() {
   }
   table.set({0, 0, 0}, 1);
   table.set({2, 2, 0}, 1);
-  return {meshes::bar(3), table, meshes::full_cube(2)};
+  return {meshes::bar(3), table, meshes::full_cube(2), meshes::Polycube::from_digits(3, 1, 2, "102112")};
 }
 
 /// Calibrated bodies that are driven hard enough to slide on their feet.

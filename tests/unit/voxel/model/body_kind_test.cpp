@@ -48,8 +48,10 @@ TEST(BodyKind, TellsAPlateWithLimbsFromABlock) {
   EXPECT_EQ(kind(2, 2, 2, "11111111"), BodyKind::block);
 }
 
-TEST(BodyKind, IsAnAggregateOfWhateverModulesAboveLevelOne) {
-  EXPECT_EQ(kind_of(Polycube::from_digits(1, 1, 1, "1"), 2), BodyKind::aggregate);
+TEST(BodyKind, IsAnAggregateAboveLevelOne) {
+  EXPECT_EQ(kind_of(Polycube::from_digits(2, 2, 1, "1111"), 2), BodyKind::aggregate_of_plates);
+  EXPECT_EQ(kind_of(Polycube::from_digits(2, 2, 1, "1110"), 2), BodyKind::aggregate_of_limbs);
+  EXPECT_EQ(kind_of(Polycube::from_digits(1, 1, 1, "1"), 2), BodyKind::aggregate_of_limbs);
 }
 
 TEST(BodyKind, IsFoundByItsName) {

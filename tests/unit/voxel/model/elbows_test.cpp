@@ -17,7 +17,9 @@ Turns turns_of(const meshes::Polycube& body, int voxels_per_cell = 1, int level 
   return elbow_turns(Lattice(voxels.body), voxels, voxels_per_cell);
 }
 
-Turns turns_of(int x, int y, int z, const std::string& digits) { return turns_of(meshes::Polycube::from_digits(x, y, z, digits)); }
+Turns turns_of(int x, int y, int z, const std::string& digits) {
+  return turns_of(meshes::Polycube::from_digits(x, y, z, digits));
+}
 
 constexpr std::size_t along_x = 0;
 constexpr std::size_t along_y = 1;
@@ -67,12 +69,25 @@ TEST(Elbows, LeaveLimbsOfPlatesToTheirPlates) { EXPECT_FALSE(has_elbows(turns_of
 TEST(Elbows, LieBetweenModulesToo) {
   // Three L: the two arms of the corner module, the two beams between modules, and the arms that go on from there. The other arm
   // of the outer modules has an edge on either side.
-  const Turns turns = turns_of(meshes::Polycube::from_digits(2, 2, 1, "1110"), 1, 2);
+  const HollowVoxels voxels = hollow_voxels(meshes::Polycube::from_digits(2, 2, 1, "1110"),
+                                            {.cell_edge_m = 0.01, .wall_thickness_m = 0.002, .voxels_per_cell = 1, .level = 2});
+  const Lattice lattice(voxels.body);
+  const Turns turns = elbow_turns(lattice, voxels, 1);
   int bent = 0;
-  for (const auto& of_axis : turns) {
-    for (const AcrossBeam<double>& turn : of_axis) bent += turn != straight ? 1 : 0;
+  int between_modules = 0;
+  for (const std::size_t axis : {along_x, along_y}) {
+    for (std::size_t beam = 0; beam < turns[axis].size(); ++beam) {
+      const auto lower = static_cast<std::size_t>(lattice.beams[axis].lower[beam]);
+      if (turns[axis][beam] == straight) continue;
+      ++bent;
+      if (!voxels.walled[lower][2 * axis + 1]) continue;
+      ++between_modules;
+      EXPECT_EQ(turns[axis][beam], (axis == along_x ? AcrossBeam<double>{0.0, -1.0} : AcrossBeam<double>{1.0, 0.0}))
+          << "as the arms of the corner";
+    }
   }
   EXPECT_EQ(bent, 6);
+  EXPECT_EQ(between_modules, 2);
 }
 
 TEST(Elbows, OfFinerVoxelsAreLeftToTheirBeams) {

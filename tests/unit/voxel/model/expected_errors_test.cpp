@@ -63,13 +63,13 @@ bool has_warning(const std::vector<std::string>& lines, const std::string& text)
 
 TEST(ExpectedErrors, OfOtherKindsAreKeptWhileTheParametersAreTheSame) {
   ExpectedErrors found{.parameters_hash = "one"};
-  found.kinds[static_cast<std::size_t>(BodyKind::aggregate)] = KindErrors{.bodies = {"pair"}};
+  found.kinds[static_cast<std::size_t>(BodyKind::aggregate_of_limbs)] = KindErrors{.bodies = {"pair"}};
   ExpectedErrors earlier{.parameters_hash = "one"};
   earlier.kinds[static_cast<std::size_t>(BodyKind::limbs)] = KindErrors{.bodies = {"elbow"}};
-  earlier.kinds[static_cast<std::size_t>(BodyKind::aggregate)] = KindErrors{.bodies = {"old"}};
+  earlier.kinds[static_cast<std::size_t>(BodyKind::aggregate_of_limbs)] = KindErrors{.bodies = {"old"}};
   const ExpectedErrors all = together_with(found, earlier);
   EXPECT_EQ(all.of(BodyKind::limbs), earlier.of(BodyKind::limbs));
-  EXPECT_EQ(all.of(BodyKind::aggregate), found.of(BodyKind::aggregate));
+  EXPECT_EQ(all.of(BodyKind::aggregate_of_limbs), found.of(BodyKind::aggregate_of_limbs));
   earlier.parameters_hash = "another";
   EXPECT_EQ(together_with(found, earlier), found);
   EXPECT_EQ(together_with(found, std::nullopt), found);

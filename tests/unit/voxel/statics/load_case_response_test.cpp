@@ -65,6 +65,25 @@ TEST(LoadCaseResponse, OfInflationIsTheLawOfOneCell) {
   }
 }
 
+TEST(LoadCaseResponse, HasTheTopAtTheCrownOfAWallOrAtTheRimOfOne) {
+  const SurrogateParameters parameters = response_parameters();
+  constexpr double pressure = 2000.0;
+  const double x = parameters.extension[0].value(pressure);
+  const double b = parameters.bulge[0].value(pressure);  // of the bottom in the mean; twice that at a crown
+  const auto top = [&](const std::array<int, 3>& cells, const std::string& digits, int level) {
+    LoadCase of = case_of_length(LoadCaseKind::inflation, 1, {pressure});
+    of.cells = cells;
+    of.digits = digits;
+    of.level = level;
+    return value(respond(parameters, of), "top_m", 0);
+  };
+  EXPECT_NEAR(top({2, 1, 1}, "11", 1), sample_edge * (x + 3.0 * b), 1e-12) << "in the middle of one wall";
+  EXPECT_NEAR(top({2, 1, 1}, "11", 2), sample_edge * (x + b), 1e-12) << "where two modules meet";
+  EXPECT_NEAR(top({2, 2, 1}, "1111", 1), sample_edge * (x + 3.0 * b), 1e-12) << "the crown of a plate";
+  EXPECT_NEAR(top({2, 2, 1}, "1111", 2), sample_edge * (x + b), 1e-12) << "where four modules meet";
+  EXPECT_NEAR(top({2, 2, 1}, "1110", 1), sample_edge * (x + b), 1e-12) << "the inner corner of an L";
+}
+
 TEST(LoadCaseResponse, OfInflationCountsFacesOfLongBodies) {
   const SurrogateParameters parameters = response_parameters();
   const double pressure = 2000.0;

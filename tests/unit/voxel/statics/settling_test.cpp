@@ -107,6 +107,13 @@ TEST(Settling, EndsInTheEquilibriumOfANeckOnAPlate) {
   for (const double pressure : {-800.0, 1200.0}) EXPECT_LT(largest_distance(parameters, post, {.pressure_Pa = pressure}), 1e-7);
 }
 
+TEST(Settling, EndsInTheEquilibriumOfElbowsThatOpen) {
+  SurrogateParameters parameters = tests::surrogate_example();
+  parameters.elbow_ratio = 3.0;
+  for (const double pressure : {-1500.0, 1500.0})
+    EXPECT_LT(largest_distance(parameters, corner, {.pressure_Pa = pressure}), 1e-7) << pressure;
+}
+
 TEST(Settling, EndsInTheEquilibriumOnTheGround) {
   // On what bulges, on all feet of walls that are flat, on the rim of those drawn in.
   const SurrogateParameters parameters = tests::surrogate_example();

@@ -46,7 +46,7 @@ TEST(KindErrors, AreThoseOfTheBodiesOfAKind) {
   EXPECT_EQ(plates.volume_median, 0.0);
   EXPECT_EQ(plates.signs, 8U);
   EXPECT_EQ(plates.wrong_signs, 2U);
-  for (const BodyKind kind : {BodyKind::plate_on_legs, BodyKind::plate_with_limbs, BodyKind::block, BodyKind::aggregate})
+  for (const BodyKind kind : {BodyKind::plate_on_legs, BodyKind::plate_with_limbs, BodyKind::block, BodyKind::aggregate_of_limbs})
     EXPECT_FALSE(errors.of(kind)) << to_string(kind);
 }
 
@@ -64,7 +64,7 @@ TEST(KindErrors, TellAggregatesFromTheirModules) {
   SurrogateParameters parameters = samples::validation_parameters();
   const ExpectedErrors errors =
       expected_errors({compare(curve, "joint", parameters, samples::responding(inflation))}, parameters);
-  EXPECT_TRUE(errors.of(BodyKind::aggregate));
+  EXPECT_TRUE(errors.of(BodyKind::aggregate_of_limbs));
   EXPECT_FALSE(errors.of(BodyKind::limbs));
 }
 
