@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "evolution/posture/fall.h"
 #include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
@@ -49,26 +50,38 @@ struct Walk {
   double y_m = 0.0;
   double body_lengths = 0.0;
   double time_s = 0.0;
+  std::optional<double> fell_s{};  ///< when the body fell over, if it did
 
   [[nodiscard]] double distance_m() const { return std::hypot(x_m, y_m); }
   [[nodiscard]] double direction_deg() const { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
 };
 
-/// @param result result.toml of simulate or locomotion.toml of locomote; both have the same names
-std::optional<Walk> walk_in(const io::TomlTable& result) {
+/// @param file result.toml of simulate or locomotion.toml of locomote, which have the same names
+/// @param result what it holds
+std::optional<Walk> walk_in(const fs::path& file, const io::TomlTable& result, const meshes::Robot& robot) {
   if (!result.has("displacement_m")) return std::nullopt;
   const std::vector<double> moved_m = result.numbers("displacement_m");
   if (moved_m.size() != 3) return std::nullopt;
-  return Walk{moved_m[0], moved_m[1], result.number("horizontal_displacement_body_lengths"), result.number("time_s")};
+  Walk walk{moved_m[0], moved_m[1], result.number("horizontal_displacement_body_lengths"), result.number("time_s")};
+  try {
+    if (const auto fall = fall_in_walk(file.parent_path(), 1.0 / robot.frequency_Hz)) walk.fell_s = fall->time_s;
+  } catch (const io::InputError&) {
+    // Frames that cannot be read tell of no fall, and the walk is known without them.
+  }
+  return walk;
 }
 
-std::string walk_text(const fs::path& file) {
+/// "fell over at 1.7 s"; empty if it did not
+std::string fall_text(const Walk& walk) { return walk.fell_s ? "fell over at " + io::shown(*walk.fell_s, 2) + " s" : ""; }
+
+std::string walk_text(const fs::path& file, const meshes::Robot& robot) {
   const auto result = table_at(file);
   if (!result) return "";
-  const std::optional<Walk> walk = walk_in(*result);
+  const std::optional<Walk> walk = walk_in(file, *result, robot);
   if (!walk) return early_end(*result);
   std::string text = "it moves " + millimetres(walk->distance_m()) + " (" + io::body_lengths(walk->body_lengths) + ") in " +
                      io::shown(walk->time_s, 3) + " s";
+  if (walk->fell_s) text += ", but " + fall_text(*walk) + ": this is no walk";
   if (const std::string end = early_end(*result); !end.empty()) text += "; " + end;
   return text;
 }
@@ -478,8 +491,8 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   if (stage == "load_cases") return load_cases_text(results);
   if (stage == "calibrate") return calibrate_text(results);
   if (stage == "validate") return validate_text(results, robot);
-  if (stage == "simulate") return walk_text(results / "simulate/result.toml");
-  if (stage == "locomote" || stage == "locomote_finer") return walk_text(results / stage / "locomotion.toml");
+  if (stage == "simulate") return walk_text(results / "simulate/result.toml", robot);
+  if (stage == "locomote" || stage == "locomote_finer") return walk_text(results / stage / "locomotion.toml", robot);
   if (stage == "evolve") return evolve_text(results / "logs/evolve.txt");
   if (stage == "export") return export_text(results);
   if (stage == "reevaluate") return "ranking in reevaluate/reevaluation.csv";
@@ -487,7 +500,9 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
 }
 
 meshes::WalkAgreement agreement(const Walk& one, const Walk& other) {
-  const auto outcome = [](const Walk& walk) { return meshes::WalkOutcome{walk.body_lengths, walk.time_s, walk.direction_deg()}; };
+  const auto outcome = [](const Walk& walk) {
+    return meshes::WalkOutcome{walk.fell_s ? 0.0 : walk.body_lengths, walk.time_s, walk.direction_deg()};
+  };
   return meshes::compare_walks(outcome(one), outcome(other));
 }
 
@@ -499,10 +514,15 @@ bool are_as_long(const Walk& one, const Walk& other) {
   return std::abs(one.time_s - other.time_s) <= largest_share * std::max(one.time_s, other.time_s);
 }
 
+/// Whether a body got somewhere on its feet.
+bool is_walk(const Walk& walk) { return !walk.fell_s && walk.body_lengths >= meshes::walk_limits::least_body_lengths; }
+
 /// "67 mm and 70 mm, 3 degrees apart". @pre not both go nowhere
 std::string both(const Walk& one, const Walk& other) {
   const std::string distances = millimetres(one.distance_m()) + " and " + millimetres(other.distance_m());
-  if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere) return distances + ", of which the shorter is no walk";
+  if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere)
+    return distances + ", of which the " + (is_walk(one) ? "second" : "first") +
+           (one.fell_s || other.fell_s ? " is a fall" : " is no walk");
   const std::string angle = io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg()));
   return distances + ", " + angle + (angle == "1" ? " degree apart" : " degrees apart");
 }
@@ -712,6 +732,7 @@ bool have_one_direction(const Walk& one, const Walk& other) {
 
 std::string mesh_verdict(const Walk& coarser, const Walk& finer, const meshes::Robot& robot) {
   if (!are_as_long(coarser, finer)) return "Its walks on two meshes last differently long and are not compared.";
+  if (coarser.fell_s && finer.fell_s) return "It falls over on finite elements of two meshes: it does not walk.";
   if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere)
     return "It does not walk on finite elements of two meshes: it ends within " +
            percents(meshes::walk_limits::least_body_lengths) + " of its length from where it began" +
@@ -719,9 +740,10 @@ std::string mesh_verdict(const Walk& coarser, const Walk& finer, const meshes::R
   const std::string on_meshes = " on finite elements of two meshes";
   if (agree(coarser, finer)) return "Finite elements of two meshes agree on the walk: " + both(coarser, finer) + ".";
   if (agreement(coarser, finer) == meshes::WalkAgreement::one_goes_nowhere) {
-    const auto [shorter, longer] = std::minmax(coarser.distance_m(), finer.distance_m());
+    const Walk& none = is_walk(coarser) ? finer : coarser;
     return "Whether it walks is not known: it moves " + millimetres(coarser.distance_m()) + " and " +
-           millimetres(finer.distance_m()) + on_meshes + ", and " + millimetres(shorter) + " is no walk.";
+           millimetres(finer.distance_m()) + on_meshes + ", and " + millimetres(none.distance_m()) +
+           (none.fell_s ? " is a fall." : " is no walk.");
   }
   if (have_one_direction(coarser, finer))
     return "The direction of its walk is known, its distance is not: " + both(coarser, finer) + on_meshes + ".";
@@ -742,6 +764,7 @@ std::string model_verdict(const Walk& voxels, const Walk& elements) {
 /// What the walk of the surrogate is worth where finite elements of two meshes do not agree on theirs.
 std::string unknown_walk_verdict(const Walk& voxels, const Walk& coarser, const Walk& finer) {
   const std::string distance = millimetres(voxels.distance_m());
+  if (voxels.fell_s) return "";  // told already
   if (!have_one_direction(coarser, finer) || !are_as_long(voxels, finer))
     return "So the walk of the surrogate, " + distance + ", cannot be judged.";
   if (have_one_direction(voxels, finer))
@@ -811,7 +834,12 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
       const auto result = stages.contains(stage) ? table_at(results / stage / file) : std::nullopt;
       if (!result) return std::optional<Walk>();
       const std::string end = early_end(*result);
-      if (end.empty()) return walk_in(*result);
+      if (end.empty()) {
+        const std::optional<Walk> walk = walk_in(results / stage / file, *result, robot);
+        if (walk && walk->fell_s)
+          lines.push_back("The body " + fall_text(*walk) + " in the walk " + model + ": this is no walk.");
+        return walk;
+      }
       lines.push_back("The walk " + model + " ended early and is not compared (" + end + ").");
       return std::optional<Walk>();
     };

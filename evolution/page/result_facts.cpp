@@ -9,6 +9,7 @@
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
+#include "evolution/posture/fall.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
@@ -21,6 +22,21 @@ namespace {
 
 std::vector<std::string> lines_of(const io::TomlTable& table, const char* key) {
   return table.has(key) ? table.texts(key) : std::vector<std::string>();
+}
+
+/// The pressure of the last state of an inflation: of several plena that in which a vacuum can make walls touch, or else the
+/// highest.
+std::optional<double> last_pressure_Pa(const io::CsvContents& curves) {
+  std::optional<double> lowest_Pa;
+  std::optional<double> highest_Pa;
+  for (const std::string& column : curves.columns()) {
+    if (!column.ends_with("_pressure_Pa") || curves.row_count() == 0) continue;
+    const auto pressure_Pa = number_in(curves, curves.row_count() - 1, column);
+    if (!pressure_Pa) continue;
+    lowest_Pa = std::min(lowest_Pa.value_or(*pressure_Pa), *pressure_Pa);
+    highest_Pa = std::max(highest_Pa.value_or(*pressure_Pa), *pressure_Pa);
+  }
+  return lowest_Pa && *lowest_Pa < 0.0 ? lowest_Pa : highest_Pa;
 }
 
 InflationFacts inflation_facts(const CommandOutput& output) {
@@ -37,12 +53,12 @@ InflationFacts inflation_facts(const CommandOutput& output) {
     ++facts.plena;
     for (std::size_t row = 0; row < curves.row_count(); ++row) {
       const auto pressure_Pa = number_in(curves, row, column);
-      if (pressure_Pa) facts.lowest_pressure_Pa = std::min(facts.lowest_pressure_Pa.value_or(*pressure_Pa), *pressure_Pa);
       if (!pressure_Pa || (facts.highest_pressure_Pa && *pressure_Pa <= *facts.highest_pressure_Pa)) continue;
       facts.highest_pressure_Pa = pressure_Pa;
       highest = row;
     }
   }
+  facts.last_pressure_Pa = last_pressure_Pa(curves);
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_volume_m3") || !highest) continue;
     const auto at_rest = number_in(curves, 0, column);
@@ -149,6 +165,16 @@ void add_progress(const CommandOutput& output, const std::vector<double>& moved_
   if (facts.farthest_m) facts.farthest_lengths = lengths_per_m * *facts.farthest_m;
 }
 
+/// Whether the body falls over in its walk, as far as its frames tell.
+void add_fall(const CommandOutput& output, WalkFacts& facts) {
+  if (!output.stated.frequency_Hz || !(*output.stated.frequency_Hz > 0.0)) return;
+  try {
+    if (const auto fall = fall_in_walk(output.folder, 1.0 / *output.stated.frequency_Hz)) facts.fell_s = fall->time_s;
+  } catch (const io::InputError&) {
+    // The walk is known without its frames; what shows them in 3-D says that they cannot be read.
+  }
+}
+
 WalkFacts walk_facts(const CommandOutput& output) {
   const bool on_elements = command_of(output) == "locomote";
   const char* file = on_elements ? "locomotion.toml" : "result.toml";
@@ -171,6 +197,7 @@ WalkFacts walk_facts(const CommandOutput& output) {
       add_progress(output, moved_m, facts);
     }
   }
+  add_fall(output, facts);
   if (const auto surrogate = result.optional_table("surrogate")) {
     facts.model = WalkModel::surrogate;
     facts.expected_error = lines_of(*surrogate, "expected_error");

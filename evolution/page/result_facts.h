@@ -19,7 +19,7 @@ struct InflationFacts {
   io::RunStatus status = io::RunStatus::stopped;
   std::string reason{};
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
-  std::optional<double> lowest_pressure_Pa{};   ///< likewise
+  std::optional<double> last_pressure_Pa{};     ///< of the last equilibrium: that of its plena which is least, or else furthest
   std::optional<meshes::LimitPressure> limit{};
   std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
   std::size_t plena = 0;
@@ -92,6 +92,7 @@ struct WalkFacts {
   std::optional<double> farthest_lengths{};     ///< the largest horizontal distance from the start, in whatever direction
   std::optional<double> farthest_m{};           ///< the same
   std::optional<double> end_m{};                ///< the horizontal distance at the end
+  std::optional<double> fell_s{};               ///< when the body fell over, if it did
   std::vector<std::string> expected_error{};    ///< of a surrogate
   std::vector<std::string> outside_validity{};  ///< of a surrogate
   StatedRun stated{};

@@ -156,9 +156,9 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
         facts.source};
   }
   if (facts.status == io::RunStatus::wall_contact) {
-    const bool is_vacuum = facts.lowest_pressure_Pa.value_or(0.0) < 0.0;
+    const std::string last = facts.last_pressure_Pa ? io::kilopascals(*facts.last_pressure_Pa) : reached;
     return {Tone::caution,
-            begin + "Walls of chambers touch beyond " + (is_vacuum ? io::kilopascals(*facts.lowest_pressure_Pa) : reached) +
+            begin + "Walls of chambers touch beyond " + last + (facts.plena > 1 ? " of one of them" : "") +
                 ". The finite elements end there.",
             facts.source};
   }
@@ -242,8 +242,9 @@ Finding validation_finding(const ValidationFacts& facts) {
   return {tone_of(facts), text, facts.source};
 }
 
+/// Whether a motion is no walk: it is too short, or the body fell over.
 bool goes_nowhere(const WalkFacts& walk) {
-  return walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths;
+  return walk.fell_s || (walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths);
 }
 
 /// "on finite elements", "in the surrogate", "as voxels"
@@ -261,6 +262,7 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   }
   std::string text = begin + "It moves " + io::body_lengths(*walk.body_lengths) + " " + on + " in " + io::shown(walk.time_s, 3) +
                      " s, " + speed_text(*walk.per_minute);
+  if (walk.fell_s) return {Tone::caution, text + ".", walk.source};  // that it fell is a finding of its own
   if (goes_nowhere(walk)) return {Tone::caution, text + ": it does not walk.", walk.source};
   if (walk.direction_deg) text += ", towards " + shown_whole(*walk.direction_deg) + " degrees from x";
   text += ".";
@@ -290,7 +292,7 @@ Finding to_and_fro_finding(const WalkFacts& walk, const std::string& begin) {
 
 /// Whether a body that does not walk goes some way all the same, and comes back.
 bool wanders(const WalkFacts& walk) {
-  return goes_nowhere(walk) && walk.farthest_m && walk.end_m &&
+  return goes_nowhere(walk) && !walk.fell_s && walk.farthest_m && walk.end_m &&
          walk.farthest_lengths.value_or(0.0) > meshes::walk_limits::least_body_lengths;
 }
 
@@ -302,11 +304,20 @@ Finding wander_finding(const WalkFacts& walk, const std::string& begin) {
           walk.source};
 }
 
+Finding fall_finding(const WalkFacts& walk, const std::string& begin) {
+  return {Tone::caution,
+          begin + "The body falls over " + in_model(walk.model) + ", at " + io::shown(*walk.fell_s, 2) + " s: this is no walk.",
+          walk.source};
+}
+
 bool has_walked(const WalkFacts& walk) { return walk.body_lengths && walk.per_minute; }
 
 /// @pre both have walked
 meshes::WalkAgreement agreement_of(const WalkFacts& a, const WalkFacts& b) {
-  return meshes::compare_walks({*a.body_lengths, a.time_s, a.direction_deg}, {*b.body_lengths, b.time_s, b.direction_deg});
+  const auto outcome = [](const WalkFacts& walk) {
+    return meshes::WalkOutcome{walk.fell_s ? 0.0 : *walk.body_lengths, walk.time_s, walk.direction_deg};
+  };
+  return meshes::compare_walks(outcome(a), outcome(b));
 }
 
 /// "20 degrees"
@@ -373,6 +384,12 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
                       " it does not walk. Do not trust the surrogate for the walk of this body.");
 }
 
+/// Whether two walks go the same way, however far.
+bool have_one_direction(const WalkFacts& a, const WalkFacts& b) {
+  const auto angle_deg = angle_of(a, b);
+  return angle_deg && *angle_deg <= meshes::walk_limits::same_direction_deg;
+}
+
 /// Walks of one body on finite elements, driven alike: their meshes or time steps differ.
 struct ElementWalks {
   std::vector<const WalkFacts*> walks;
@@ -426,7 +443,8 @@ Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
     case meshes::WalkAgreement::different:
     case meshes::WalkAgreement::one_goes_nowhere:
       finding.tone = Tone::bad;
-      finding.text += ". How it walks is not known: chance decides such a walk.";
+      finding.text += have_one_direction(*one, *other) ? ". The direction of this walk is known, its distance is not."
+                                                       : ". How it walks is not known: chance decides such a walk.";
       break;
   }
   return finding;
@@ -586,6 +604,7 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
     if (!is_paired) findings.push_back(walk_finding(walk, begin));
     if (goes_to_and_fro(walk)) findings.push_back(to_and_fro_finding(walk, begin));
     if (wanders(walk)) findings.push_back(wander_finding(walk, begin));
+    if (walk.fell_s) findings.push_back(fall_finding(walk, begin));
     for (const std::string& line : walk.outside_validity) {
       const bool is_told = std::ranges::any_of(
           walk.expected_error, [&](const std::string& expected) { return expected.find(line) != std::string::npos; });

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "evolution/page/body_frames.h"
+#include "evolution/page/report_numbers.h"
 #include "io/picture/picture_series.h"
 #include "io/picture/scale_bar.h"
 #include "io/process/child_program.h"
@@ -187,6 +188,7 @@ class WalkPictures {
     if (bodies.size() == 2)
       text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
              way_text(bodies[1], time) + ", ";
+    if (scene_.angle_deg) text += shown_whole(*scene_.angle_deg) + " degrees apart, ";
     if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
     text += io::formatted("%.2f s", time);
     if (pace_.slower > 1) text += ", shown " + std::to_string(pace_.slower) + " times slower";

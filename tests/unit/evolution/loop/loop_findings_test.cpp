@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/text/joined_text.h"
@@ -28,6 +32,40 @@ class LoopFindings : public testing::Test {
     io::write_whole(folder_ / file, "status = \"completed\"\ntime_s = 5.0\ndisplacement_m = [" + std::to_string(x_m) + ", " +
                                         std::to_string(y_m) + ", 0.001]\nhorizontal_displacement_body_lengths = " + lengths +
                                         "\n");
+  }
+
+  /// Writes the frames of a walk: a cell that leans by some angle at the end of each stroke of a third of a second.
+  void write_frames(const std::string& stage, const std::vector<double>& leans_deg) const {
+    std::string collection = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (std::size_t n = 0; n <= 2 * leans_deg.size(); ++n) {
+      const double lean = (n == 0 ? 0.0 : leans_deg[(n - 1) / 2]) * std::numbers::pi / 180.0;
+      std::string points;
+      std::string moved;
+      for (const double z : {0.0, 1.0}) {
+        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
+          points += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + " ";
+          moved += std::to_string(x * std::cos(lean) + z * std::sin(lean) - x) + " 0 " +
+                   std::to_string(z * std::cos(lean) - x * std::sin(lean) - z) + " ";
+        }
+      }
+      const std::string name = "frame_" + std::to_string(n) + ".vtu";
+      io::write_whole(
+          folder_ / stage / name,
+          "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>\n<Piece "
+          "NumberOfPoints=\"8\" NumberOfCells=\"1\">\n<PointData>\n<DataArray type=\"Float64\" "
+          "Name=\"displacement_m\" NumberOfComponents=\"3\" format=\"ascii\">" +
+              moved +
+              "</DataArray>\n</PointData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+              "format=\"ascii\">" +
+              points +
+              "</DataArray>\n</Points>\n<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 "
+              "2 3 4 5 6 7</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" "
+              "format=\"ascii\">8</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" "
+              "format=\"ascii\">12</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+      collection +=
+          "<DataSet timestep=\"" + std::to_string(static_cast<double>(n) / 6.0) + "\" part=\"0\" file=\"" + name + "\"/>\n";
+    }
+    io::write_whole(folder_ / stage / "frames.pvd", collection + "</Collection>\n</VTKFile>\n");
   }
 
   void write_early_walk(const std::string& file, double x_m) const {
@@ -385,6 +423,26 @@ TEST_F(LoopFindings, VerdictSaysOnWhichMeshABodyDoesNotWalk) {
   expect_has(
       verdict(),
       "Whether it walks is not known: it moves 4.31 mm and 2.7 mm on finite elements of two meshes, and 2.7 mm is no walk.");
+}
+
+TEST_F(LoopFindings, TellAFallFromAWalk) {
+  write_walk("simulate/result.toml", 0.037, 0.0);
+  write_walk("locomote/locomotion.toml", 0.02, 0.0);
+  write_walk("locomote_finer/locomotion.toml", 0.024, 0.0);
+  write_frames("simulate", {2.0, 3.0, 10.0});
+  EXPECT_EQ(found("simulate"), "it moves 37 mm (0.5 body lengths) in 5 s");
+  write_frames("simulate", {2.0, 3.0, 80.0, 85.0});
+  EXPECT_EQ(found("simulate"), "it moves 37 mm (0.5 body lengths) in 5 s, but fell over at 1 s: this is no walk");
+  expect_has(verdict(), "The body fell over at 1 s in the walk of the surrogate: this is no walk.");
+  expect_has(verdict(),
+             "The surrogate does not walk as finite elements do: 37 mm and 24 mm, of which the first is a fall (surrogate and");
+  write_frames("locomote_finer", {2.0, 3.0, 80.0});
+  expect_has(verdict(),
+             "Whether it walks is not known: it moves 20 mm and 24 mm on finite elements of two meshes, and 24 mm is a fall.");
+  write_frames("locomote", {2.0, 90.0, 90.0});
+  expect_has(verdict(), "It falls over on finite elements of two meshes: it does not walk.");
+  io::write_whole(folder_ / "simulate/frame_0.vtu", "no grid");
+  EXPECT_EQ(found("simulate"), "it moves 37 mm (0.5 body lengths) in 5 s") << "the walk is known without its frames";
 }
 
 TEST_F(LoopFindings, VerdictWarnsOfShapesThatTheSurrogateMisses) {

@@ -137,6 +137,38 @@ TEST_F(ReportSectionsTest, DrawsHowAWalkComesBack) {
   EXPECT_NEAR(facts.farthest_m.value_or(0.0), 0.02, 1e-9);
 }
 
+TEST_F(ReportSectionsTest, DrawsWalksOfOneBodyAlongOneDirection) {
+  const auto walk = [&](const std::string& place, const std::string& file, const std::string& x_m, const std::string& elements) {
+    write(place + "/trajectory.csv",
+          "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0,0,0\n1," + x_m + ",0,0.01\n");
+    write(place + "/" + file, "status = \"completed\"\ntime_s = 1\ndisplacement_m = [" + x_m +
+                                  ", 0, 0]\nhorizontal_displacement_m = 0.01\nhorizontal_displacement_body_lengths = 0.3\n" +
+                                  (elements.empty() ? "" : "elements = " + elements + "\n"));
+    CommandOutput made = output(place);
+    made.stated.body = ManifestBody{.layers = {{"101"}, {"111"}}, .cell_edge_m = 0.01};
+    return made;
+  };
+  CommandOutput coarse = walk("locomote", "locomotion.toml", "0.01", "900");
+  CommandOutput fine = walk("locomote_finer", "locomotion.toml", "-0.01", "2000");
+  fine.program = "menger-locomote";
+  CommandOutput voxels = walk("simulate", "result.toml", "0.01", "");
+  const PageChart chart = section({coarse, fine, voxels}, "walks").charts.at(0);
+  EXPECT_NEAR(chart.series.at(0).y.back(), -10.0, 1e-9);
+  EXPECT_NEAR(chart.series.at(1).y.back(), 10.0, 1e-9) << "the walk on the finest elements";
+  EXPECT_NEAR(chart.series.at(2).y.back(), -10.0, 1e-9);
+  fine.stated.body->cell_edge_m = 0.02;
+  const PageChart apart = section({coarse, fine}, "walks").charts.at(0);
+  EXPECT_NEAR(apart.series.at(0).y.back(), 10.0, 1e-9) << "another body has its own direction";
+}
+
+TEST_F(ReportSectionsTest, ReadsThePressureAtWhichWallsTouch) {
+  write("inflate/result.toml", "status = \"wall_contact\"\n");
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,1e-6\n"
+        "1,2000,2e-6,-2000,0.9e-6\n2,-534,0.7e-6,534,1.1e-6\n");
+  EXPECT_EQ(read_facts({output("inflate")}, notes_).inflations.at(0).last_pressure_Pa.value_or(0.0), -534.0);
+}
+
 TEST_F(ReportSectionsTest, DrawsTheDistanceFromTheStartOfWhatIsNoWalk) {
   write("locomote/trajectory.csv",
         "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0.001,0,0\n1,-0.013,0,0.014\n2,,,\n"

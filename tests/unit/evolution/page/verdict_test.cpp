@@ -107,9 +107,28 @@ TEST(Verdict, NamesADriveNearOrBeyondTheLimitPressure) {
 
 TEST(Verdict, NamesTheVacuumAtWhichWallsTouch) {
   ReportFacts facts;
-  facts.inflations = {{.status = io::RunStatus::wall_contact, .highest_pressure_Pa = 0.0, .lowest_pressure_Pa = -515.85}};
+  facts.inflations = {{.status = io::RunStatus::wall_contact, .highest_pressure_Pa = 0.0, .last_pressure_Pa = -515.85}};
   EXPECT_NE(finding_with(verdict_of(facts), "Walls of chambers touch beyond -0.516 kPa. The finite elements end there.").text,
             "");
+}
+
+TEST(Verdict, SaysThatABodyFellOver) {
+  ReportFacts facts = two_walks(0.5, 0.0, 1.2, 0.0);
+  facts.walks.back().fell_s = 1.67;
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_NE(finding_with(verdict, "The body falls over in the surrogate, at 1.7 s: this is no walk.").text, "");
+  EXPECT_NE(finding_with(verdict, "in the surrogate it does not walk. Do not trust the surrogate").text, "");
+  facts.walks.erase(facts.walks.begin());
+  EXPECT_EQ(finding_with(verdict_of(facts), "It moves 1.2 body lengths").text.find("towards"), std::string::npos);
+}
+
+TEST(Verdict, TellsADirectionThatMeshesAgreeOn) {
+  ReportFacts facts = two_walks(0.53, 0.0, 0.85, 1.0);
+  facts.walks.back().model = WalkModel::elements;
+  facts.walks.back().body_lengths = 3.0;  // more than comparable
+  EXPECT_NE(finding_with(verdict_of(facts), "The direction of this walk is known, its distance is not.").text, "");
+  facts.walks.back().direction_deg = 180.0;
+  EXPECT_NE(finding_with(verdict_of(facts), "How it walks is not known: chance decides such a walk.").text, "");
 }
 
 TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
