@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 #include <system_error>
 
 #include "evolution/page/chart_points.h"
+#include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
@@ -482,6 +484,14 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
                                        lineage.columns(), tables.lineage_source));
 }
 
+/// Whether a re-evaluation compares its finite elements with those of the search, not with voxels.
+bool compares_elements(const CommandOutput& output) {
+  const nlohmann::json parameters = nlohmann::json::parse(output.parameters, nullptr, false);
+  const nlohmann::json* search = object_of(parameters, "search");
+  const nlohmann::json* evaluation = search == nullptr ? nullptr : object_of(*search, "evaluation");
+  return evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels";
+}
+
 void add_reevaluation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
   PageChart chart{.title = "Speeds of robots in both models",
@@ -504,12 +514,19 @@ void add_reevaluation(const CommandOutput& output, PageSection& section) {
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (!chart.series.empty()) section.charts.push_back(std::move(chart));
-  section.tables.push_back(
+  PageTable robots =
       shown_table("Robots in both models", designs,
                   {"rank", "individual", "selection", "cells", "surrogate_status", "surrogate_body_lengths_per_minute",
                    "surrogate_direction_deg", "elements_status", "elements_body_lengths_per_minute", "elements_direction_deg",
                    "distance_ratio", "angle_deg", "surrogate_relative_error"},
-                  file_of(output, "reevaluation.csv")));
+                  file_of(output, "reevaluation.csv"));
+  if (compares_elements(output)) {
+    // The file has one set of columns for whatever model decided the search.
+    for (std::string& title : robots.columns)
+      if (title.starts_with("surrogate")) title.replace(0, std::string_view("surrogate").size(), "search");
+    robots.note += " Columns of the search are called surrogate there.";
+  }
+  section.tables.push_back(std::move(robots));
   if (has_file(output, "ranking.csv")) {
     section.tables.push_back(shown_table("How well the search ranks", io::read_csv(output.folder / "ranking.csv"),
                                          {"designs", "quantity", "value", "low_95", "high_95", "count", "of", "method"},

@@ -285,6 +285,16 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
   ASSERT_EQ(ranking.charts.size(), 1U);
   ASSERT_EQ(ranking.charts[0].series.size(), 2U);
   EXPECT_EQ(ranking.charts[0].series[0].y, std::vector<double>{1.0});
+  const auto has_columns_of_search = [&](const std::string& parameters) {
+    CommandOutput made = output("reevaluate");
+    made.parameters = parameters;
+    const PageTable table = section({made}, "ranking").tables.at(0);
+    return std::ranges::find_if(table.columns, [](const std::string& title) { return title.starts_with("search"); }) !=
+           table.columns.end();
+  };
+  EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "voxels"}}})"));
+  EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "voxels", "search": {"evaluation": {"model": "both"}}})"));
+  EXPECT_TRUE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "finite_elements"}}})"));
   const RankingFacts facts = read_facts({output("reevaluate")}, notes_).rankings.at(0);
   EXPECT_EQ(facts.designs, 3U);
   EXPECT_EQ(facts.compared, 2U);
