@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "evolution/posture/bend.h"
 #include "evolution/posture/fall.h"
 #include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"
@@ -275,6 +276,18 @@ std::string compared_text(const fs::path& results) {
   return "compared " + io::joined(ways, ", ") + ", where the finite elements ended (" + why_ended(*validated) + ")";
 }
 
+/// How far what does not walk bends: "; the middle of its far end moves 14 mm sideways, seen from the near one". Empty for what
+/// walks, whose inflation stands on the ground.
+std::string bend_text(const fs::path& results, const meshes::Robot& robot) {
+  if (robot.walks) return "";
+  try {
+    const auto bend = bend_in_inflation(results / "inflate", robot.design.cell_edge_m);
+    return bend ? "; the middle of its far end moves " + millimetres(bend->sideways_m) + " sideways, seen from the near one" : "";
+  } catch (const io::InputError&) {
+    return "";  // the growth is known without the fields
+  }
+}
+
 std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
   if (!table_at(results / "inflate/result.toml")) return "";
   if (std::string end = inflation_end(results, robot); !end.empty()) return end;
@@ -282,7 +295,7 @@ std::string inflate_text(const fs::path& results, const meshes::Robot& robot) {
   const auto growth = growth_at(chambers_in(io::read_csv(results / "inflate/curves.csv")), pressure_Pa);
   if (!growth) return "";
   if (robot.drive != meshes::RobotDrive::antiphase)
-    return "at " + kilopascals(pressure_Pa) + " it holds " + air_text(growth->whole);
+    return "at " + kilopascals(pressure_Pa) + " it holds " + air_text(growth->whole) + bend_text(results, robot);
   const std::string least = air_text(growth->least);
   const std::string most = air_text(growth->most);
   const bool has_one_unit = growth->least >= 1.0 && least != most;  // "20 to 50 % more air"

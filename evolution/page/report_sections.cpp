@@ -405,7 +405,7 @@ void add_validation(const CommandOutput& output, PageSection& section) {
   section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv")));
   if (has_file(output, "volume_actuation.csv")) {
     const io::CsvContents actuation = io::read_csv(output.folder / "volume_actuation.csv");
-    section.tables.push_back(shown_table("Change of volume by pressure, on finite elements", actuation,
+    section.tables.push_back(shown_table("Change of the outer volume of the body by pressure, on finite elements", actuation,
                                          {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
                                           "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
                                          file_of(output, "volume_actuation.csv")));

@@ -9,6 +9,7 @@
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
+#include "evolution/posture/bend.h"
 #include "evolution/posture/fall.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
@@ -59,6 +60,14 @@ InflationFacts inflation_facts(const CommandOutput& output) {
     }
   }
   facts.last_pressure_Pa = last_pressure_Pa(curves);
+  if (output.stated.supports == "free" && output.stated.body) {
+    try {
+      if (const auto bend = bend_in_inflation(output.folder, output.stated.body->cell_edge_m))
+        facts.sideways_m = bend->sideways_m;
+    } catch (const io::InputError&) {
+      // The curves are known without the fields; what shows them in 3-D says that they cannot be read.
+    }
+  }
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_volume_m3") || !highest) continue;
     const auto at_rest = number_in(curves, 0, column);

@@ -23,6 +23,7 @@ struct InflationFacts {
   std::optional<meshes::LimitPressure> limit{};
   std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
   std::size_t plena = 0;
+  std::optional<double> sideways_m{};  ///< how far the middle of the far end of a body that is free moves across it
   StatedRun stated{};
 };
 

@@ -140,7 +140,11 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
                                 io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.status == io::RunStatus::completed) {
-    Finding finding{Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
+    const std::string bend = facts.sideways_m ? " The middle of its far end moves " + io::millimetres(*facts.sideways_m) +
+                                                    " sideways, seen from the near one."
+                                              : "";
+    Finding finding{Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth + bend,
+                    facts.source};
     if (known.limit_Pa && facts.highest_pressure_Pa) {
       const double share = *facts.highest_pressure_Pa / *known.limit_Pa;
       finding.tone = tone_of_share(share, known.safe);

@@ -6,17 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "evolution/posture/frame_grid.h"
+#include "evolution/posture/two_numbers.h"
 #include "io/process/child_reading.h"
-#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/vtk/collection.h"
@@ -122,12 +120,6 @@ std::optional<Fall> first_fall(const fs::path& folder, const std::vector<io::Col
   return std::nullopt;
 }
 
-double number_in(const std::string& text, std::size_t begin, std::size_t end) {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  std::from_chars(text.data() + begin, text.data() + end, value);
-  return value;
-}
-
 }  // namespace
 
 std::optional<Fall> fall_in_walk(const fs::path& folder, double period_s) {
@@ -137,11 +129,11 @@ std::optional<Fall> fall_in_walk(const fs::path& folder, double period_s) {
   if (frames.size() < least_frames) return std::nullopt;
   const std::string told = io::read_in_child(folder / frames.front().file, "VTK", [&] {
     const std::optional<Fall> fall = first_fall(folder, frames);
-    return fall ? io::formatted("%.17g ", fall->time_s) + io::formatted("%.17g", fall->lean_deg) : std::string();
+    return fall ? two_numbers(fall->time_s, fall->lean_deg) : std::string();
   });
   if (told.empty()) return std::nullopt;
-  const std::size_t between = told.find(' ');
-  return Fall{.time_s = number_in(told, 0, between), .lean_deg = number_in(told, between + 1, told.size())};
+  const auto [time_s, lean_deg] = two_numbers_in(told);
+  return Fall{.time_s = time_s, .lean_deg = lean_deg};
 }
 
 }  // namespace menger::evolution

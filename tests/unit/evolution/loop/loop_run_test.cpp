@@ -118,6 +118,13 @@ TEST_F(LoopRunTest, SecondRunDoesNothing) {
   EXPECT_NE(out_.str().find("7 of 7  locomote_finer  as before"), std::string::npos) << out_.str();
 }
 
+TEST_F(LoopRunTest, ChangedNameRunsNothing) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  change("name = \"bar\"", "name = \"beam\"");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+}
+
 TEST_F(LoopRunTest, ChangedKeyRunsOnlyWhatDependsOnIt) {
   ASSERT_EQ(run(), io::exit_code::done);
   add("[ground]\nkinetic_friction = 0.4\n");

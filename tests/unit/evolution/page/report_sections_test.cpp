@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "evolution/page/input_table.h"
 #include "evolution/page/result_facts.h"
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
@@ -159,6 +160,18 @@ TEST_F(ReportSectionsTest, DrawsWalksOfOneBodyAlongOneDirection) {
   fine.stated.body->cell_edge_m = 0.02;
   const PageChart apart = section({coarse, fine}, "walks").charts.at(0);
   EXPECT_NEAR(apart.series.at(0).y.back(), 10.0, 1e-9) << "another body has its own direction";
+}
+
+TEST_F(ReportSectionsTest, TellHowBodiesAreHeld) {
+  CommandOutput inflation = output("inflate");
+  inflation.parameters = R"({"supports": {"kind": "ground_guided"}})";
+  inflation.stated.supports = "ground_guided";
+  write("validate/curves/robot_inflation.toml", "status = \"completed\"\n");
+  const PageTable inputs = input_table({inflation, output("validate")}, folder_);
+  const auto row = std::ranges::find_if(inputs.rows, [](const auto& cells) { return cells.at(0) == "supports"; });
+  ASSERT_NE(row, inputs.rows.end());
+  EXPECT_EQ(row->at(1),
+            "slides on the ground, which it does not leave (inflate); free, only its rigid motions are held (validate)");
 }
 
 TEST_F(ReportSectionsTest, ReadsThePressureAtWhichWallsTouch) {

@@ -136,6 +136,10 @@ TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa."));
   EXPECT_NE(finding_with(verdict_of(facts), "Its chamber then has 1.68 times its volume at rest").text, "");
+  facts.inflations.front().sideways_m = 0.0031;
+  EXPECT_NE(
+      finding_with(verdict_of(facts), "at rest. The middle of its far end moves 3.1 mm sideways, seen from the near one.").text,
+      "");
   facts.inflations.front().plena = 2;
   EXPECT_NE(finding_with(verdict_of(facts), "the one that grows most then has 1.68 times").text, "");
   facts.inflations.front().status = io::RunStatus::not_converged;
