@@ -589,7 +589,8 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa, const std
   const std::optional<SoftestLaw> softest = softest_law(robot, least_Pa);
   const bool is_by_one_law = softest && drive_Pa > meshes::largest_safe_share * softest->limit_Pa;
   return "It bears its pressure of " + kilopascals(drive_Pa) +
-         (is_by_one_law ? " by its law (" + meshes::law_text(robot.law, robot.record) + "), not by the softest of its silicone"
+         (is_by_one_law ? " by its law (" + meshes::law_text(robot.law, robot.record) + "), " +
+                              (drive_Pa > softest->limit_Pa ? "not" : "hardly") + " by the softest of its silicone"
                         : "") +
          ": safe up to " + kilopascals(safe_Pa) + ", 20 % below the " + between + " at which it balloons" + where + ".";
 }

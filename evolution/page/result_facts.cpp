@@ -49,11 +49,16 @@ InflationFacts inflation_facts(const CommandOutput& output) {
   facts.limit = meshes::limit_pressure(result);
   const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
   std::optional<std::size_t> highest;
+  std::optional<std::size_t> lowest;
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_pressure_Pa")) continue;
     ++facts.plena;
     for (std::size_t row = 0; row < curves.row_count(); ++row) {
       const auto pressure_Pa = number_in(curves, row, column);
+      if (pressure_Pa && (!facts.lowest_pressure_Pa || *pressure_Pa < *facts.lowest_pressure_Pa)) {
+        facts.lowest_pressure_Pa = pressure_Pa;
+        lowest = row;
+      }
       if (!pressure_Pa || (facts.highest_pressure_Pa && *pressure_Pa <= *facts.highest_pressure_Pa)) continue;
       facts.highest_pressure_Pa = pressure_Pa;
       highest = row;
@@ -71,7 +76,7 @@ InflationFacts inflation_facts(const CommandOutput& output) {
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_volume_m3") || !highest) continue;
     const auto at_rest = number_in(curves, 0, column);
-    const auto now = number_in(curves, *highest, column);
+    const auto now = number_in(curves, *facts.highest_pressure_Pa > 0.0 ? *highest : lowest.value_or(*highest), column);
     if (at_rest && now && *at_rest > 0.0)
       facts.volume_growth = std::max(facts.volume_growth.value_or(-1.0), *now / *at_rest - 1.0);
   }

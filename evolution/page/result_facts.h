@@ -19,9 +19,11 @@ struct InflationFacts {
   io::RunStatus status = io::RunStatus::stopped;
   std::string reason{};
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
+  std::optional<double> lowest_pressure_Pa{};   ///< likewise
   std::optional<double> last_pressure_Pa{};     ///< of the last equilibrium: that of its plena which is least, or else furthest
   std::optional<meshes::LimitPressure> limit{};
-  std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
+  std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure or the strongest vacuum if
+                                          ///< there is no other, as a fraction
   std::size_t plena = 0;
   std::optional<double> sideways_m{};  ///< how far the middle of the far end of a body that is free moves across it
   StatedRun stated{};

@@ -134,7 +134,11 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
 
 Finding inflation_finding(const InflationFacts& facts, const KnownPressures& known, const std::string& begin) {
   if (facts.limit) return limit_finding(facts, known, begin);
-  const std::string reached = facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa) : "no pressure";
+  const bool is_vacuum = facts.highest_pressure_Pa.value_or(1.0) <= 0.0 && facts.lowest_pressure_Pa.value_or(0.0) < 0.0;
+  const std::string reached = is_vacuum                   ? io::kilopascals(*facts.lowest_pressure_Pa)
+                              : facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa)
+                                                          : "no pressure";
+  const std::string by = facts.stated.elements == "thin_wall" ? " by thin walls" : "";
   const std::string growth =
       facts.volume_growth ? (facts.plena > 1 ? " Of its chambers, the one that grows most then has " : " Its chamber then has ") +
                                 io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
@@ -143,8 +147,13 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
     const std::string bend = facts.sideways_m ? " The middle of its far end moves " + io::millimetres(*facts.sideways_m) +
                                                     " sideways, seen from the near one."
                                               : "";
-    Finding finding{Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth + bend,
+    Finding finding{Tone::good,
+                    begin +
+                        (is_vacuum ? "Evacuated to " + reached + by + ", where no walls of its chambers touch."
+                                   : "Inflated to " + reached + by + ", without a limit point up to there.") +
+                        growth + bend,
                     facts.source};
+    if (is_vacuum) return finding;
     if (known.limit_Pa && facts.highest_pressure_Pa) {
       const double share = *facts.highest_pressure_Pa / *known.limit_Pa;
       finding.tone = tone_of_share(share, known.safe);
@@ -668,7 +677,7 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
              (share > 1.0 ? "." : meaning_of_share(share, safe) + ".") + " ";
     return "Usable up to " + io::kilopascals(safe * one.limit->pressure_Pa) + ", 20 % or more below " + limit + ". ";
   }
-  if (!one.highest_pressure_Pa) return {};
+  if (!one.highest_pressure_Pa || *one.highest_pressure_Pa <= 0.0) return {};
   const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
   if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
   if (one.status == io::RunStatus::limit_point) return "Usable up to " + reached + ", where the body balloons or buckles. ";

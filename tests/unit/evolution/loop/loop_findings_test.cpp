@@ -157,7 +157,7 @@ TEST_F(LoopFindings, VerdictSaysWhetherTheBodyBearsItsPressure) {
   expect_has(
       verdict(),
       "It bears its pressure of 3 kPa by its law (neo_hookean, modulus at 100 % strain of the data sheet divided by 1.75), "
-      "not by the softest of its silicone: safe up to 5.71 kPa");
+      "hardly by the softest of its silicone: safe up to 5.71 kPa");
   expect_has(verdict(),
              "By the softest law of its silicone (ogden1, Soft Robotics Materials Database, law_variant = 1) it is near "
              "ballooning, 91 % of 3.31 kPa: test the silicone that you cast, or lower drive.pressure_Pa to 2650 Pa or less.");

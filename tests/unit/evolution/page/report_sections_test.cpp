@@ -180,6 +180,8 @@ TEST_F(ReportSectionsTest, ReadsThePressureAtWhichWallsTouch) {
         "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,1e-6\n"
         "1,2000,2e-6,-2000,0.9e-6\n2,-534,0.7e-6,534,1.1e-6\n");
   EXPECT_EQ(read_facts({output("inflate")}, notes_).inflations.at(0).last_pressure_Pa.value_or(0.0), -534.0);
+  write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,-900,0.6e-6\n2,0,1e-6\n");
+  EXPECT_NEAR(read_facts({output("inflate")}, notes_).inflations.at(0).volume_growth.value_or(0.0), -0.4, 1e-9);
 }
 
 TEST_F(ReportSectionsTest, DrawsTheDistanceFromTheStartOfWhatIsNoWalk) {

@@ -112,6 +112,21 @@ TEST(Verdict, NamesTheVacuumAtWhichWallsTouch) {
             "");
 }
 
+TEST(Verdict, TellsAVacuumByItsLowestPressure) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::completed,
+                       .highest_pressure_Pa = 0.0,
+                       .lowest_pressure_Pa = -900.0,
+                       .volume_growth = -0.34,
+                       .stated = {.elements = "thin_wall"}}};
+  EXPECT_NE(finding_with(verdict_of(facts),
+                         "Evacuated to -0.9 kPa by thin walls, where no walls of its chambers touch. Its chamber then has 0.66 "
+                         "times its volume at rest.")
+                .text,
+            "");
+  EXPECT_EQ(verdict_of(facts).headline.find("Usable"), std::string::npos) << verdict_of(facts).headline;
+}
+
 TEST(Verdict, SaysThatABodyFellOver) {
   ReportFacts facts = two_walks(0.5, 0.0, 1.2, 0.0);
   facts.walks.back().fell_s = 1.67;
