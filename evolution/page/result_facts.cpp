@@ -142,6 +142,11 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .furthest_observable = io::displacement_words(text_in(summary, row, "furthest_observable"))};
   }
   facts.bodies = bodies.size();
+  if (const std::filesystem::path curve = output.folder / "curves/robot_inflation.toml"; io::is_file(curve)) {
+    const io::TomlTable ended = io::read_toml(curve);
+    if (const std::string status = ended.text("status"); status != "completed")
+      facts.early_end = status + ", " + ended.text_or("reason", "no reason");
+  }
   const std::filesystem::path signs_file = output.folder / "signs.csv";
   if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);

@@ -64,6 +64,7 @@ struct ErrorFact {
 struct ValidationFacts {
   std::string source{};
   std::size_t bodies = 0;
+  std::string early_end{};  ///< of the finite elements of a loop's robot: status and reason; empty if they reached all states
   ErrorFact displacement{};
   ErrorFact volume{};
   std::size_t outside = 0;                ///< numbers outside the range of validity

@@ -213,7 +213,7 @@ Tone tone_of(const ValidationFacts& facts) {
 /// Whether all that was compared lies outside the range of the fit, of one body alone.
 bool is_all_outside(const ValidationFacts& facts) { return facts.bodies == 1 && !facts.displacement.median && facts.outside > 0; }
 
-Finding validation_finding(const ValidationFacts& facts) {
+Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
     return {Tone::bad, "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit.",
@@ -253,6 +253,14 @@ Finding validation_finding(const ValidationFacts& facts) {
     text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
   if (facts.bodies == 1 && tone_of(facts) == Tone::bad) text += " Do not trust the surrogate for this body.";
   return {tone_of(facts), text, facts.source};
+}
+
+Finding validation_finding(const ValidationFacts& facts) {
+  Finding finding = finding_on_shapes(facts);
+  if (facts.early_end.empty()) return finding;
+  finding.text += " Its finite elements, quadratic ones, ended before the pressure of the drive (" + facts.early_end + ").";
+  finding.tone = std::max(finding.tone, Tone::caution);
+  return finding;
 }
 
 /// Whether a motion is no walk: it is too short, or the body fell over.

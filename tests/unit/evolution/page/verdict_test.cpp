@@ -112,6 +112,18 @@ TEST(Verdict, NamesTheVacuumAtWhichWallsTouch) {
             "");
 }
 
+TEST(Verdict, SaysThatTheElementsOfAValidationEndedEarly) {
+  ReportFacts facts;
+  facts.validations = {{.bodies = 1, .displacement = {.count = 9, .median = 0.05}}};
+  EXPECT_EQ(finding_with(verdict_of(facts), "shapes are 5 %").tone, Tone::good);
+  facts.validations.front().early_end = "limit_point, pressure_Pa = 5000 was not reached";
+  const Finding finding =
+      finding_with(verdict_of(facts),
+                   "Its finite elements, quadratic ones, ended before the pressure of the drive (limit_point, "
+                   "pressure_Pa = 5000 was not reached).");
+  EXPECT_EQ(finding.tone, Tone::caution);
+}
+
 TEST(Verdict, TellsAVacuumByItsLowestPressure) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed,
