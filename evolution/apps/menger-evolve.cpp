@@ -44,6 +44,7 @@
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
+#include "meshes/robot/command_study.h"
 #include "voxel/scene/scene.h"
 
 namespace {
@@ -291,9 +292,14 @@ int usual_threads(const Study& study, const io::RankSession& ranks) {
   return std::max(ranks.usual_threads(), 2 * processor->multiprocessors / ranks.count_on_machine());
 }
 
+Study study_of(const Arguments& arguments) {
+  menger::meshes::refuse_robot_file(arguments.study);
+  return read_study(arguments.study, arguments.overrides);
+}
+
 /// A search and what evaluates its bodies, on every rank.
 struct Search {
-  Search(const Arguments& arguments, const io::RankSession& ranks) : study(read_study(arguments.study, arguments.overrides)) {
+  Search(const Arguments& arguments, const io::RankSession& ranks) : study(study_of(arguments)) {
     require_device(study, arguments);
     threads = arguments.threads > 0 ? arguments.threads : usual_threads(study, ranks);
     require_memory(study, threads, ranks.count_on_machine());

@@ -142,7 +142,10 @@ class LoopRun {
     int code = io::exit_code::done;
     for (std::size_t n = 0; n < stages_.size(); ++n) {
       const LoopStage& stage = stages_[n];
-      if (only_ == nullptr && stage.program == "menger-report") note_verdict();
+      if (only_ == nullptr && stage.program == "menger-report") {
+        note_verdict();
+        write_manifest();  // of which the page tells
+      }
       if (only_ == nullptr || only_ == &stage) {
         const int ended = run_stage(stage, n);
         if (ended == io::exit_code::interrupted) return leave_interrupted();
@@ -219,7 +222,11 @@ class LoopRun {
   std::string key_of(const LoopStage& stage) {
     std::string text = stage.program + " " + io::joined(stage.arguments, " ") + "\n" + program_hash(stage.program) + "\n";
     for (const std::string& helper : stage.helpers) text += helper + " " + program_hash(helper) + "\n";
-    for (const meshes::RobotStudy study : stage.studies) text += study_text(robot_, study, places_) + "\n";
+    // A name decides nothing but what the page is called.
+    if (stage.program == "menger-report") text += robot_.design.name + "\n";
+    meshes::Robot unnamed = robot_;
+    unnamed.design.name.clear();
+    for (const meshes::RobotStudy study : stage.studies) text += study_text(unnamed, study, places_) + "\n";
     for (const fs::path& file : stage.reads) {
       const fs::path whole = from_results(file);
       text += file.string() + " " + (io::is_file(whole) ? io::file_hash(whole) : "missing") + "\n";

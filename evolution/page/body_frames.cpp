@@ -17,9 +17,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <system_error>
 
-#include "evolution/page/frame_grid.h"
+#include "evolution/posture/frame_grid.h"
 #include "io/process/child_reading.h"
 #include "io/text/input_error.h"
 #include "voxel/picture/vtk_output.h"
@@ -456,17 +455,6 @@ std::string answer_to(const BodyRequest& request) {
 PageBody body_in(const std::string& answer) {
   if (answer.front() == refusal_follows) throw io::InputError(answer.substr(1));
   return joined_body(json::from_cbor(answer.begin() + 1, answer.end()));
-}
-
-/// Whether a file lies in a folder or below it, after all links.
-bool is_within(const fs::path& file, const fs::path& folder) {
-  std::error_code error;
-  const fs::path whole = fs::weakly_canonical(file, error);
-  if (error) return false;
-  const fs::path root = fs::weakly_canonical(folder, error);
-  if (error) return false;
-  const fs::path way = whole.lexically_relative(root);
-  return !way.empty() && *way.begin() != "..";
 }
 
 }  // namespace

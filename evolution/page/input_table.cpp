@@ -234,6 +234,15 @@ std::string strokes_text(const json& drive) {
          (std::abs(strokes - 1.0) < tolerance ? "stroke" : shown_number(strokes) + " strokes");
 }
 
+/// How a body is held where it is inflated.
+std::string supports_text(const std::string& kind) {
+  if (kind == "free") return "free, only its rigid motions are held";
+  if (kind == "ground_guided") return "slides on the ground, which it does not leave";
+  if (kind == "ground_held") return "held on the ground";
+  if (kind == "resting") return "rests on the ground by its weight";
+  return with_spaces(kind);
+}
+
 /// The voxel parameters of a run: where they come from.
 std::string parameters_text(const CommandOutput& output) {
   if (const std::string file = parameters_of_menger(output); !file.empty()) return file + ", which came with menger";
@@ -249,6 +258,9 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
   for (const CommandOutput& output : outputs) {
     const std::string place = output.name.empty() ? "." : output.name;
     const std::string command = command_of(output);
+    // The load case that a loop validates its robot with; others state their own supports.
+    if (command == "validate" && io::is_file(output.folder / "curves/robot_inflation.toml"))
+      rows.add("supports", supports_text("free"), place);
     if (command != "inflate" && command != "locomote" && command != "simulate") continue;
     const json parameters = json::parse(output.parameters, nullptr, false);
     if (!parameters.is_object()) continue;
@@ -278,21 +290,22 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
     if (output.stated.static_friction && output.stated.kinetic_friction)
       add("friction on the ground", shown_number(*output.stated.static_friction) + " at rest, " +
                                         shown_number(*output.stated.kinetic_friction) + " sliding");
+    if (command == "inflate") add("supports", supports_text(output.stated.supports));
     if (const json* elements = object_of(parameters, "elements")) {
       const std::string fidelity = text_of(*elements, "fidelity");
       add("finite elements", with_spaces(text_of(*elements, "kind")) + (fidelity.empty() ? "" : ", " + fidelity));
     }
     if (output.is_calibrated) add("parameters of the surrogate", parameters_text(output));
   }
-  PageTable table{
-      .title = "What was computed",
-      .columns = {"input", "value"},
-      .rows = rows.texts({"body", "edge of a cell", "thickness of walls", "chambers", "silicone", "law", "source of the law",
-                          "other laws in its record", "loss factor (damping)", "pressure of the drive", "strokes",
-                          "mode of the drive", "friction on the ground", "finite elements", "parameters of the surrogate"}),
-      .note =
-          "From the manifests of inflations and walks. Friction of silicone is hardly measured, nor is damping of "
-          "most; the manifests say what is assumed."};
+  PageTable table{.title = "What was computed",
+                  .columns = {"input", "value"},
+                  .rows = rows.texts({"body", "edge of a cell", "thickness of walls", "chambers", "silicone", "law",
+                                      "source of the law", "other laws in its record", "loss factor (damping)",
+                                      "pressure of the drive", "strokes", "mode of the drive", "supports",
+                                      "friction on the ground", "finite elements", "parameters of the surrogate"}),
+                  .note =
+                      "From the manifests of inflations and walks. Friction of silicone is hardly measured, nor is damping of "
+                      "most; the manifests say what is assumed."};
   return table;
 }
 

@@ -41,7 +41,7 @@ std::vector<double> column_of(const io::CsvContents& table, std::string_view col
   return values;
 }
 
-std::vector<double> progress_of(const io::CsvContents& trajectory) {
+std::vector<double> progress_of(const io::CsvContents& trajectory, const std::optional<std::array<double, 2>>& direction) {
   const std::vector<double> x_m = column_of(trajectory, "centre_of_mass_x_m");
   const std::vector<double> y_m = column_of(trajectory, "centre_of_mass_y_m");
   std::vector<double> progress(x_m.size(), std::numeric_limits<double>::quiet_NaN());
@@ -49,12 +49,12 @@ std::vector<double> progress_of(const io::CsvContents& trajectory) {
   std::size_t last = x_m.size();
   while (last > 0 && !is_known(last - 1)) --last;
   if (last == 0) return progress;
-  const double along_x = x_m[last - 1] - x_m[0];
-  const double along_y = y_m[last - 1] - y_m[0];
-  const double whole_m = std::hypot(along_x, along_y);
+  const double along_x = direction ? (*direction)[0] : x_m[last - 1] - x_m[0];
+  const double along_y = direction ? (*direction)[1] : y_m[last - 1] - y_m[0];
+  const double length = std::hypot(along_x, along_y);
   for (std::size_t row = 0; row < progress.size(); ++row)
     if (is_known(row))
-      progress[row] = whole_m > 0.0 ? ((x_m[row] - x_m[0]) * along_x + (y_m[row] - y_m[0]) * along_y) / whole_m : 0.0;
+      progress[row] = length > 0.0 ? ((x_m[row] - x_m[0]) * along_x + (y_m[row] - y_m[0]) * along_y) / length : 0.0;
   return progress;
 }
 

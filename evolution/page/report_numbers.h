@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +29,9 @@ std::vector<double> column_of(const io::CsvContents& table, std::string_view col
 
 /// Returns the progress of a walk in every row of its trajectory, m: the part of the horizontal displacement that lies along the
 /// line from start to end; below 0 behind the start. What is no number is NaN.
-std::vector<double> progress_of(const io::CsvContents& trajectory);
+/// @param direction horizontal, of length 1: that along which progress counts instead
+std::vector<double> progress_of(const io::CsvContents& trajectory,
+                                const std::optional<std::array<double, 2>>& direction = std::nullopt);
 
 /// Returns the horizontal distance of the centre of mass from its start in every row of a trajectory, m. What is no number is
 /// NaN.

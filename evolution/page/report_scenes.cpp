@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 
 #include "evolution/page/body_frames.h"
@@ -12,6 +13,8 @@
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/toml_document.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -54,6 +57,28 @@ ScenePlan::Part walking(const CommandOutput& output) {
           .trajectory = output.folder / "trajectory.csv"};
 }
 
+/// The direction of a walk, degrees from x; nothing if it is none.
+std::optional<double> direction_deg(const CommandOutput& output) {
+  const io::TomlTable result =
+      io::read_toml(output.folder / (command_of(output) == "locomote" ? "locomotion.toml" : "result.toml"));
+  const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
+  if (!result.has("displacement_m") || lengths.value_or(0.0) < meshes::walk_limits::least_body_lengths) return std::nullopt;
+  const std::vector<double> moved_m = result.numbers("displacement_m");
+  if (moved_m.size() != 3) return std::nullopt;
+  return std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
+}
+
+/// The angle between two walks; nothing if one of them is none, or if a result cannot be read, which its own section tells.
+std::optional<double> angle_deg(const CommandOutput& one, const CommandOutput& other) {
+  try {
+    const auto a_deg = direction_deg(one);
+    const auto b_deg = direction_deg(other);
+    return a_deg && b_deg ? std::optional(meshes::angle_between(*a_deg, *b_deg)) : std::nullopt;
+  } catch (const io::InputError&) {
+    return std::nullopt;
+  }
+}
+
 void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
   std::vector<const CommandOutput*> paired;
   std::vector<ScenePlan> single;
@@ -65,7 +90,8 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
     if (other == outputs.end()) continue;
     paired.insert(paired.end(), {&elements, &*other});
     plans.push_back({.scene = {.title = "Walk of " + body_or_place(elements) + ": finite elements and " + walking(*other).name,
-                               .source = file_of(elements, "frames.pvd") + ", " + file_of(*other, "frames.pvd")},
+                               .source = file_of(elements, "frames.pvd") + ", " + file_of(*other, "frames.pvd"),
+                               .angle_deg = angle_deg(elements, *other)},
                      .place = elements.name,
                      .parts = {walking(elements), walking(*other)},
                      .apart = true,

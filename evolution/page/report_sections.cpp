@@ -1,10 +1,12 @@
 #include "evolution/page/report_sections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -12,6 +14,7 @@
 #include <system_error>
 
 #include "evolution/page/chart_points.h"
+#include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
@@ -132,6 +135,35 @@ std::string model_of(const CommandOutput& output) {
   return output.is_calibrated ? "surrogate" : "voxels";
 }
 
+/// The file with the outcome of a walk.
+const char* outcome_file(const CommandOutput& output) {
+  return command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
+}
+
+/// The direction along which the progress of all walks of a body counts, of length 1, so that walks which go opposite ways look
+/// so: that of its walk on the finest finite elements, or else of any, which walks at all. Nothing if none does.
+std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, const std::vector<CommandOutput>& outputs) {
+  std::optional<std::array<double, 2>> direction;
+  double most_elements = -1.0;
+  for (const CommandOutput& other : outputs) {
+    if (!is_walk(other) || (&other != &of && !are_of_one_body(other.stated, of.stated))) continue;
+    try {
+      const io::TomlTable result = io::read_toml(other.folder / outcome_file(other));
+      const double elements = command_of(other) == "locomote" ? result.optional_number("elements").value_or(0.0) : -0.5;
+      const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
+      if (elements <= most_elements || !result.has("displacement_m")) continue;
+      const std::vector<double> moved_m = result.numbers("displacement_m");
+      const double way_m = moved_m.size() == 3 ? std::hypot(moved_m[0], moved_m[1]) : 0.0;
+      if (!(way_m > 0.0) || lengths.value_or(1.0) < meshes::walk_limits::least_body_lengths) continue;
+      most_elements = elements;
+      direction = {moved_m[0] / way_m, moved_m[1] / way_m};
+    } catch (const io::InputError&) {
+      continue;  // told where its own walk is shown
+    }
+  }
+  return direction;
+}
+
 /// Says in a chart of progress of which series it is the distance from the start. @param are_walks whether a series is of a walk
 void tell_what_is_no_walk(const std::vector<bool>& are_walks, PageChart& progress) {
   if (std::ranges::find(are_walks, false) == are_walks.end()) return;
@@ -156,8 +188,9 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                      .y = {.title = "progress of the centre of mass (mm)"},
                      .series = {},
                      .note =
-                         "Along the line from start to end of each walk: it ends at its distance, and falls where the body goes "
-                         "back. Where a walk goes to and fro, distance and direction depend on when one looks."};
+                         "Along one direction for all walks of a body, that of its walk on the finest finite elements: a curve "
+                         "falls where the body goes back, and one that ends below 0 went the other way. Where a walk goes to and "
+                         "fro, distance and direction depend on when one looks."};
   std::vector<bool> are_walks;  // by series
   PageChart path{.title = "Paths seen from above",
                  .x = {.title = "x (mm)"},
@@ -184,11 +217,12 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       std::vector<double> y_mm = column_of(walk, "centre_of_mass_y_m", 1e3);
       for (std::vector<double>* values : {&x_mm, &y_mm})
         for (const double first = values->empty() ? 0.0 : values->front(); double& value : *values) value -= first;
-      const char* file = command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
+      const char* file = outcome_file(output);
       const io::TomlTable result = io::read_toml(output.folder / file);
       const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
       const bool goes_nowhere = lengths && *lengths < meshes::walk_limits::least_body_lengths;
-      std::vector<double> progress_mm = goes_nowhere ? distance_from_start(walk) : progress_of(walk);
+      std::vector<double> progress_mm =
+          goes_nowhere ? distance_from_start(walk) : progress_of(walk, common_direction(output, outputs));
       for (double& value : progress_mm) value *= 1e3;
       progress.series.push_back({.name = name, .x = time_s, .y = std::move(progress_mm), .dashed = dashed});
       are_walks.push_back(!goes_nowhere);
@@ -371,7 +405,7 @@ void add_validation(const CommandOutput& output, PageSection& section) {
   section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv")));
   if (has_file(output, "volume_actuation.csv")) {
     const io::CsvContents actuation = io::read_csv(output.folder / "volume_actuation.csv");
-    section.tables.push_back(shown_table("Change of volume by pressure, on finite elements", actuation,
+    section.tables.push_back(shown_table("Change of the outer volume of the body by pressure, on finite elements", actuation,
                                          {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
                                           "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
                                          file_of(output, "volume_actuation.csv")));
@@ -450,6 +484,14 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
                                        lineage.columns(), tables.lineage_source));
 }
 
+/// Whether a re-evaluation compares its finite elements with those of the search, not with voxels.
+bool compares_elements(const CommandOutput& output) {
+  const nlohmann::json parameters = nlohmann::json::parse(output.parameters, nullptr, false);
+  const nlohmann::json* search = object_of(parameters, "search");
+  const nlohmann::json* evaluation = search == nullptr ? nullptr : object_of(*search, "evaluation");
+  return evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels";
+}
+
 void add_reevaluation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
   PageChart chart{.title = "Speeds of robots in both models",
@@ -472,12 +514,19 @@ void add_reevaluation(const CommandOutput& output, PageSection& section) {
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (!chart.series.empty()) section.charts.push_back(std::move(chart));
-  section.tables.push_back(
+  PageTable robots =
       shown_table("Robots in both models", designs,
                   {"rank", "individual", "selection", "cells", "surrogate_status", "surrogate_body_lengths_per_minute",
                    "surrogate_direction_deg", "elements_status", "elements_body_lengths_per_minute", "elements_direction_deg",
                    "distance_ratio", "angle_deg", "surrogate_relative_error"},
-                  file_of(output, "reevaluation.csv")));
+                  file_of(output, "reevaluation.csv"));
+  if (compares_elements(output)) {
+    // The file has one set of columns for whatever model decided the search.
+    for (std::string& title : robots.columns)
+      if (title.starts_with("surrogate")) title.replace(0, std::string_view("surrogate").size(), "search");
+    robots.note += " Columns of the search are called surrogate there.";
+  }
+  section.tables.push_back(std::move(robots));
   if (has_file(output, "ranking.csv")) {
     section.tables.push_back(shown_table("How well the search ranks", io::read_csv(output.folder / "ranking.csv"),
                                          {"designs", "quantity", "value", "low_95", "high_95", "count", "of", "method"},

@@ -9,6 +9,8 @@
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
+#include "evolution/posture/bend.h"
+#include "evolution/posture/fall.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
@@ -23,6 +25,21 @@ std::vector<std::string> lines_of(const io::TomlTable& table, const char* key) {
   return table.has(key) ? table.texts(key) : std::vector<std::string>();
 }
 
+/// The pressure of the last state of an inflation: of several plena that in which a vacuum can make walls touch, or else the
+/// highest.
+std::optional<double> last_pressure_Pa(const io::CsvContents& curves) {
+  std::optional<double> lowest_Pa;
+  std::optional<double> highest_Pa;
+  for (const std::string& column : curves.columns()) {
+    if (!column.ends_with("_pressure_Pa") || curves.row_count() == 0) continue;
+    const auto pressure_Pa = number_in(curves, curves.row_count() - 1, column);
+    if (!pressure_Pa) continue;
+    lowest_Pa = std::min(lowest_Pa.value_or(*pressure_Pa), *pressure_Pa);
+    highest_Pa = std::max(highest_Pa.value_or(*pressure_Pa), *pressure_Pa);
+  }
+  return lowest_Pa && *lowest_Pa < 0.0 ? lowest_Pa : highest_Pa;
+}
+
 InflationFacts inflation_facts(const CommandOutput& output) {
   InflationFacts facts{
       .name = body_or_place(output), .place = output.name, .source = file_of(output, "result.toml"), .stated = output.stated};
@@ -32,21 +49,34 @@ InflationFacts inflation_facts(const CommandOutput& output) {
   facts.limit = meshes::limit_pressure(result);
   const io::CsvContents curves = io::read_csv(output.folder / "curves.csv");
   std::optional<std::size_t> highest;
+  std::optional<std::size_t> lowest;
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_pressure_Pa")) continue;
     ++facts.plena;
     for (std::size_t row = 0; row < curves.row_count(); ++row) {
       const auto pressure_Pa = number_in(curves, row, column);
-      if (pressure_Pa) facts.lowest_pressure_Pa = std::min(facts.lowest_pressure_Pa.value_or(*pressure_Pa), *pressure_Pa);
+      if (pressure_Pa && (!facts.lowest_pressure_Pa || *pressure_Pa < *facts.lowest_pressure_Pa)) {
+        facts.lowest_pressure_Pa = pressure_Pa;
+        lowest = row;
+      }
       if (!pressure_Pa || (facts.highest_pressure_Pa && *pressure_Pa <= *facts.highest_pressure_Pa)) continue;
       facts.highest_pressure_Pa = pressure_Pa;
       highest = row;
     }
   }
+  facts.last_pressure_Pa = last_pressure_Pa(curves);
+  if (output.stated.supports == "free" && output.stated.body) {
+    try {
+      if (const auto bend = bend_in_inflation(output.folder, output.stated.body->cell_edge_m))
+        facts.sideways_m = bend->sideways_m;
+    } catch (const io::InputError&) {
+      // The curves are known without the fields; what shows them in 3-D says that they cannot be read.
+    }
+  }
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_volume_m3") || !highest) continue;
     const auto at_rest = number_in(curves, 0, column);
-    const auto now = number_in(curves, *highest, column);
+    const auto now = number_in(curves, *facts.highest_pressure_Pa > 0.0 ? *highest : lowest.value_or(*highest), column);
     if (at_rest && now && *at_rest > 0.0)
       facts.volume_growth = std::max(facts.volume_growth.value_or(-1.0), *now / *at_rest - 1.0);
   }
@@ -112,6 +142,11 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .furthest_observable = io::displacement_words(text_in(summary, row, "furthest_observable"))};
   }
   facts.bodies = bodies.size();
+  if (const std::filesystem::path curve = output.folder / "curves/robot_inflation.toml"; io::is_file(curve)) {
+    const io::TomlTable ended = io::read_toml(curve);
+    if (const std::string status = ended.text("status"); status != "completed")
+      facts.early_end = status + ", " + ended.text_or("reason", "no reason");
+  }
   const std::filesystem::path signs_file = output.folder / "signs.csv";
   if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);
@@ -149,6 +184,16 @@ void add_progress(const CommandOutput& output, const std::vector<double>& moved_
   if (facts.farthest_m) facts.farthest_lengths = lengths_per_m * *facts.farthest_m;
 }
 
+/// Whether the body falls over in its walk, as far as its frames tell.
+void add_fall(const CommandOutput& output, WalkFacts& facts) {
+  if (!output.stated.frequency_Hz || !(*output.stated.frequency_Hz > 0.0)) return;
+  try {
+    if (const auto fall = fall_in_walk(output.folder, 1.0 / *output.stated.frequency_Hz)) facts.fell_s = fall->time_s;
+  } catch (const io::InputError&) {
+    // The walk is known without its frames; what shows them in 3-D says that they cannot be read.
+  }
+}
+
 WalkFacts walk_facts(const CommandOutput& output) {
   const bool on_elements = command_of(output) == "locomote";
   const char* file = on_elements ? "locomotion.toml" : "result.toml";
@@ -171,6 +216,7 @@ WalkFacts walk_facts(const CommandOutput& output) {
       add_progress(output, moved_m, facts);
     }
   }
+  add_fall(output, facts);
   if (const auto surrogate = result.optional_table("surrogate")) {
     facts.model = WalkModel::surrogate;
     facts.expected_error = lines_of(*surrogate, "expected_error");

@@ -20,9 +20,12 @@ struct InflationFacts {
   std::string reason{};
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
   std::optional<double> lowest_pressure_Pa{};   ///< likewise
+  std::optional<double> last_pressure_Pa{};     ///< of the last equilibrium: that of its plena which is least, or else furthest
   std::optional<meshes::LimitPressure> limit{};
-  std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure, as a fraction
+  std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure or the strongest vacuum if
+                                          ///< there is no other, as a fraction
   std::size_t plena = 0;
+  std::optional<double> sideways_m{};  ///< how far the middle of the far end of a body that is free moves across it
   StatedRun stated{};
 };
 
@@ -61,6 +64,7 @@ struct ErrorFact {
 struct ValidationFacts {
   std::string source{};
   std::size_t bodies = 0;
+  std::string early_end{};  ///< of the finite elements of a loop's robot: status and reason; empty if they reached all states
   ErrorFact displacement{};
   ErrorFact volume{};
   std::size_t outside = 0;                ///< numbers outside the range of validity
@@ -92,6 +96,7 @@ struct WalkFacts {
   std::optional<double> farthest_lengths{};     ///< the largest horizontal distance from the start, in whatever direction
   std::optional<double> farthest_m{};           ///< the same
   std::optional<double> end_m{};                ///< the horizontal distance at the end
+  std::optional<double> fell_s{};               ///< when the body fell over, if it did
   std::vector<std::string> expected_error{};    ///< of a surrogate
   std::vector<std::string> outside_validity{};  ///< of a surrogate
   StatedRun stated{};

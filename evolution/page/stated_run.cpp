@@ -169,10 +169,12 @@ StatedRun stated_run(const json& parameters) {
     run.law = law_of_line(
         first_text(parameters, {{"surrogate", "values", "holds_for"}, {"surrogate", "parameters", "holds_for"}}, "law"));
   }
+  if (const json* supports = object_of(parameters, "supports")) run.supports = text_of(*supports, "kind");
   if (const json* elements = object_of(parameters, "elements")) run.elements = text_of(*elements, "kind");
   if (const json* drive = object_of(parameters, "drive")) {
     run.drive = drive_of(*drive);
     run.highest_pressure_Pa = highest_in(*drive, "pressure_Pa");
+    run.frequency_Hz = number_of(*drive, "frequency_Hz");
   }
   run.static_friction = first_number(parameters, {{"ground"}}, "static_friction");
   run.kinetic_friction = first_number(parameters, {{"ground"}}, "kinetic_friction");

@@ -134,13 +134,26 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
 
 Finding inflation_finding(const InflationFacts& facts, const KnownPressures& known, const std::string& begin) {
   if (facts.limit) return limit_finding(facts, known, begin);
-  const std::string reached = facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa) : "no pressure";
+  const bool is_vacuum = facts.highest_pressure_Pa.value_or(1.0) <= 0.0 && facts.lowest_pressure_Pa.value_or(0.0) < 0.0;
+  const std::string reached = is_vacuum                   ? io::kilopascals(*facts.lowest_pressure_Pa)
+                              : facts.highest_pressure_Pa ? io::kilopascals(*facts.highest_pressure_Pa)
+                                                          : "no pressure";
+  const std::string by = facts.stated.elements == "thin_wall" ? " by thin walls" : "";
   const std::string growth =
       facts.volume_growth ? (facts.plena > 1 ? " Of its chambers, the one that grows most then has " : " Its chamber then has ") +
                                 io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.status == io::RunStatus::completed) {
-    Finding finding{Tone::good, begin + "Inflated to " + reached + ", without a limit point up to there." + growth, facts.source};
+    const std::string bend = facts.sideways_m ? " The middle of its far end moves " + io::millimetres(*facts.sideways_m) +
+                                                    " sideways, seen from the near one."
+                                              : "";
+    Finding finding{Tone::good,
+                    begin +
+                        (is_vacuum ? "Evacuated to " + reached + by + ", where no walls of its chambers touch."
+                                   : "Inflated to " + reached + by + ", without a limit point up to there.") +
+                        growth + bend,
+                    facts.source};
+    if (is_vacuum) return finding;
     if (known.limit_Pa && facts.highest_pressure_Pa) {
       const double share = *facts.highest_pressure_Pa / *known.limit_Pa;
       finding.tone = tone_of_share(share, known.safe);
@@ -156,9 +169,9 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
         facts.source};
   }
   if (facts.status == io::RunStatus::wall_contact) {
-    const bool is_vacuum = facts.lowest_pressure_Pa.value_or(0.0) < 0.0;
+    const std::string last = facts.last_pressure_Pa ? io::kilopascals(*facts.last_pressure_Pa) : reached;
     return {Tone::caution,
-            begin + "Walls of chambers touch beyond " + (is_vacuum ? io::kilopascals(*facts.lowest_pressure_Pa) : reached) +
+            begin + "Walls of chambers touch beyond " + last + (facts.plena > 1 ? " of one of them" : "") +
                 ". The finite elements end there.",
             facts.source};
   }
@@ -200,7 +213,7 @@ Tone tone_of(const ValidationFacts& facts) {
 /// Whether all that was compared lies outside the range of the fit, of one body alone.
 bool is_all_outside(const ValidationFacts& facts) { return facts.bodies == 1 && !facts.displacement.median && facts.outside > 0; }
 
-Finding validation_finding(const ValidationFacts& facts) {
+Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
     return {Tone::bad, "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit.",
@@ -242,8 +255,17 @@ Finding validation_finding(const ValidationFacts& facts) {
   return {tone_of(facts), text, facts.source};
 }
 
+Finding validation_finding(const ValidationFacts& facts) {
+  Finding finding = finding_on_shapes(facts);
+  if (facts.early_end.empty()) return finding;
+  finding.text += " Its finite elements, quadratic ones, ended before the pressure of the drive (" + facts.early_end + ").";
+  finding.tone = std::max(finding.tone, Tone::caution);
+  return finding;
+}
+
+/// Whether a motion is no walk: it is too short, or the body fell over.
 bool goes_nowhere(const WalkFacts& walk) {
-  return walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths;
+  return walk.fell_s || (walk.body_lengths && *walk.body_lengths < meshes::walk_limits::least_body_lengths);
 }
 
 /// "on finite elements", "in the surrogate", "as voxels"
@@ -261,6 +283,7 @@ Finding walk_finding(const WalkFacts& walk, const std::string& begin) {
   }
   std::string text = begin + "It moves " + io::body_lengths(*walk.body_lengths) + " " + on + " in " + io::shown(walk.time_s, 3) +
                      " s, " + speed_text(*walk.per_minute);
+  if (walk.fell_s) return {Tone::caution, text + ".", walk.source};  // that it fell is a finding of its own
   if (goes_nowhere(walk)) return {Tone::caution, text + ": it does not walk.", walk.source};
   if (walk.direction_deg) text += ", towards " + shown_whole(*walk.direction_deg) + " degrees from x";
   text += ".";
@@ -290,7 +313,7 @@ Finding to_and_fro_finding(const WalkFacts& walk, const std::string& begin) {
 
 /// Whether a body that does not walk goes some way all the same, and comes back.
 bool wanders(const WalkFacts& walk) {
-  return goes_nowhere(walk) && walk.farthest_m && walk.end_m &&
+  return goes_nowhere(walk) && !walk.fell_s && walk.farthest_m && walk.end_m &&
          walk.farthest_lengths.value_or(0.0) > meshes::walk_limits::least_body_lengths;
 }
 
@@ -302,11 +325,20 @@ Finding wander_finding(const WalkFacts& walk, const std::string& begin) {
           walk.source};
 }
 
+Finding fall_finding(const WalkFacts& walk, const std::string& begin) {
+  return {Tone::caution,
+          begin + "The body falls over " + in_model(walk.model) + ", at " + io::shown(*walk.fell_s, 2) + " s: this is no walk.",
+          walk.source};
+}
+
 bool has_walked(const WalkFacts& walk) { return walk.body_lengths && walk.per_minute; }
 
 /// @pre both have walked
 meshes::WalkAgreement agreement_of(const WalkFacts& a, const WalkFacts& b) {
-  return meshes::compare_walks({*a.body_lengths, a.time_s, a.direction_deg}, {*b.body_lengths, b.time_s, b.direction_deg});
+  const auto outcome = [](const WalkFacts& walk) {
+    return meshes::WalkOutcome{walk.fell_s ? 0.0 : *walk.body_lengths, walk.time_s, walk.direction_deg};
+  };
+  return meshes::compare_walks(outcome(a), outcome(b));
 }
 
 /// "20 degrees"
@@ -373,6 +405,12 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
                       " it does not walk. Do not trust the surrogate for the walk of this body.");
 }
 
+/// Whether two walks go the same way, however far.
+bool have_one_direction(const WalkFacts& a, const WalkFacts& b) {
+  const auto angle_deg = angle_of(a, b);
+  return angle_deg && *angle_deg <= meshes::walk_limits::same_direction_deg;
+}
+
 /// Walks of one body on finite elements, driven alike: their meshes or time steps differ.
 struct ElementWalks {
   std::vector<const WalkFacts*> walks;
@@ -426,7 +464,8 @@ Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
     case meshes::WalkAgreement::different:
     case meshes::WalkAgreement::one_goes_nowhere:
       finding.tone = Tone::bad;
-      finding.text += ". How it walks is not known: chance decides such a walk.";
+      finding.text += have_one_direction(*one, *other) ? ". The direction of this walk is known, its distance is not."
+                                                       : ". How it walks is not known: chance decides such a walk.";
       break;
   }
   return finding;
@@ -586,6 +625,7 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
     if (!is_paired) findings.push_back(walk_finding(walk, begin));
     if (goes_to_and_fro(walk)) findings.push_back(to_and_fro_finding(walk, begin));
     if (wanders(walk)) findings.push_back(wander_finding(walk, begin));
+    if (walk.fell_s) findings.push_back(fall_finding(walk, begin));
     for (const std::string& line : walk.outside_validity) {
       const bool is_told = std::ranges::any_of(
           walk.expected_error, [&](const std::string& expected) { return expected.find(line) != std::string::npos; });
@@ -645,7 +685,7 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
              (share > 1.0 ? "." : meaning_of_share(share, safe) + ".") + " ";
     return "Usable up to " + io::kilopascals(safe * one.limit->pressure_Pa) + ", 20 % or more below " + limit + ". ";
   }
-  if (!one.highest_pressure_Pa) return {};
+  if (!one.highest_pressure_Pa || *one.highest_pressure_Pa <= 0.0) return {};
   const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
   if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
   if (one.status == io::RunStatus::limit_point) return "Usable up to " + reached + ", where the body balloons or buckles. ";

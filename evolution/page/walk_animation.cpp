@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "evolution/page/body_frames.h"
+#include "evolution/page/report_numbers.h"
 #include "io/picture/picture_series.h"
 #include "io/picture/scale_bar.h"
 #include "io/process/child_program.h"
@@ -157,7 +158,9 @@ class WalkPictures {
     const double bar_m = io::scale_bar_length(0.3 * std::max(world_.size(0), world_.size(1)));
     const voxel::Vector begin{floor.low[0], floor.low[1], below(1)};
     voxel::add_trail(*renderer_, std::vector<voxel::Vector>{begin, {begin[0] + bar_m, begin[1], begin[2]}});
-    voxel::add_caption(*renderer_, caption_of(time, bar_m), 0.5, 15);
+    const std::string caption = caption_of(time, bar_m);
+    constexpr std::size_t widest = 104;  // letters of this size that fit
+    voxel::add_caption(*renderer_, caption, 0.5, caption.size() <= widest ? 15 : 12);
     voxel::Extent seen = seen_;
     for (const double x : {floor.low[0], floor.high[0]})
       for (const double y : {floor.low[1], floor.high[1]}) seen.add(view_.coordinates({x, y, ground_m}));
@@ -187,6 +190,7 @@ class WalkPictures {
     if (bodies.size() == 2)
       text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
              way_text(bodies[1], time) + ", ";
+    if (scene_.angle_deg) text += shown_whole(*scene_.angle_deg) + " degrees apart, ";
     if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
     text += io::formatted("%.2f s", time);
     if (pace_.slower > 1) text += ", shown " + std::to_string(pace_.slower) + " times slower";

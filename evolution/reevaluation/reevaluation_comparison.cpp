@@ -26,9 +26,11 @@ double ranked_speed(const ReevaluationStudy& study, const std::array<double, 3>&
   return is_enough(motion.horizontal_m, least_m(study)) ? motion.body_lengths_per_minute : 0.0;
 }
 
-/// Returns the regret, or none if k is the number of all designs, since it would be 0.
+/// Returns the regret, or none if k is the number of all designs, or if none of them goes far enough on finite elements to be
+/// ranked, since it would be 0.
 std::optional<TopRegret> regret_of(const std::vector<double>& surrogate, const std::vector<double>& elements, std::size_t k) {
-  return k < surrogate.size() ? top_regret(surrogate, elements, k) : std::nullopt;
+  const bool has_best = std::ranges::any_of(elements, [](double speed) { return speed > 0.0; });
+  return has_best && k < surrogate.size() ? top_regret(surrogate, elements, k) : std::nullopt;
 }
 
 }  // namespace

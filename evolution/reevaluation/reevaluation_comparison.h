@@ -60,7 +60,7 @@ struct Ranking {
   std::optional<RankCorrelation> kendall;
   std::optional<Share> within_45_deg;  ///< share of the designs with a direction in both models for which these agree so well
   std::optional<Share> within_90_deg;  ///< likewise
-  std::optional<TopRegret> best;       ///< for the surrogate's best design alone, body lengths per minute
+  std::optional<TopRegret> best;       ///< for the surrogate's best design alone, body lengths per minute; none if none is ranked
   std::optional<TopRegret> best_of_k;  ///< for the k best; none if there are no more than k
   std::size_t k = 1;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "evolution/search/search_plan.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "meshes/load_cases/observables.h"
 
@@ -105,11 +106,15 @@ std::string regret_text(const std::string& model, std::size_t k, const std::opti
   return text + "\n";
 }
 
-std::string ranking_text(const std::string& model, const Ranking& ranking) {
+std::string ranking_text(const ReevaluationStudy& study, const Ranking& ranking) {
+  const std::string model = model_of_search(study);
   std::string text = ranking.name + ": " + std::to_string(ranking.compared) + " of " + std::to_string(ranking.evaluated) +
                      " designs completed in both models\n  rank correlation of the distances: " +
                      correlation_text("Spearman", ranking.spearman) + ", " + correlation_text("Kendall", ranking.kendall) + "\n";
   text += direction_text("45", ranking.within_45_deg) + direction_text("90", ranking.within_90_deg);
+  if (!ranking.best && ranking.compared > 1)
+    text += "  none of them goes " + io::body_lengths(study.least_body_lengths) +
+            " on finite elements, the least that is ranked: slower walks count as none, and none is the best\n";
   text += regret_text(model, 1, ranking.best);
   if (ranking.k > 1) text += regret_text(model, ranking.k, ranking.best_of_k);
   return text;
@@ -241,7 +246,7 @@ io::CsvTable ranking_table(const ReevaluationFindings& findings) {
     };
     const auto add_regret = [&](std::size_t k, const std::optional<TopRegret>& found) {
       const std::string top = "top_" + std::to_string(k);
-      const char* method = "best of all designs - best of the surrogate's top k";
+      const char* method = "best of all designs - best of the top k in the model of the search";
       add_row(top + "_regret_body_lengths_per_minute", found ? std::optional(found->regret) : std::nullopt, std::nullopt,
               found ? found->shared : 0, k, method);
       std::optional<double> relative;
@@ -293,7 +298,7 @@ std::string findings_text(const ReevaluationStudy& study, const ReevaluationFind
             " designs that would have been chosen cannot be evaluated; the first (rank " +
             std::to_string(findings.refused.front().rank) + "): " + findings.refused.front().reason + "\n";
   }
-  for (const Ranking& ranking : findings.rankings) text += ranking_text(model_of_search(study), ranking);
+  for (const Ranking& ranking : findings.rankings) text += ranking_text(study, ranking);
   return text + variant_text(study, findings);
 }
 

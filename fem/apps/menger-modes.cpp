@@ -20,6 +20,7 @@
 #include "io/process/study_help.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "meshes/robot/command_study.h"
 
 namespace {
 
@@ -87,6 +88,7 @@ int run(int argc, const char* const* argv) {
   int rank_count = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
   if (rank_count > 1) throw io::InputError("mpirun -n " + std::to_string(rank_count) + ": menger-modes runs as one process");
+  menger::meshes::refuse_robot_file(arguments.study);
   fem::InflationStudy study = fem::read_inflation_study(arguments.study);
   if (arguments.no_pictures) study.output.pictures = false;
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem().string() + "_modes";

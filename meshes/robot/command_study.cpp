@@ -34,4 +34,10 @@ CommandStudy command_study(const fs::path& given, RobotStudy study) {
   return {places.study(study), places.folder(study)};
 }
 
+void refuse_robot_file(const fs::path& given) {
+  if (is_robot_file(given))
+    throw io::InputError(given.string() + ": is the file of a robot, not a study of this command: menger loop " + given.string() +
+                         " runs all stages that it asks for");
+}
+
 }  // namespace menger::meshes

@@ -18,6 +18,10 @@ struct CommandStudy {
 /// @throws io::InputError if the robot is wrong, has no such study, or has no body yet
 CommandStudy command_study(const std::filesystem::path& given, RobotStudy study);
 
+/// Refuses the file of a robot, for commands that have no study of it.
+/// @throws io::InputError if the file is that of a robot
+void refuse_robot_file(const std::filesystem::path& given);
+
 /// Gives a robot whose body a search finds the body that it found; does nothing to others, and nothing if no search has ended.
 void take_champion(Robot& robot, const RobotPlaces& places);
 

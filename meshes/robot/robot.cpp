@@ -108,6 +108,12 @@ std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeR
 
 }  // namespace
 
+std::string law_text(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
+  const std::string keys = keys_of(law, record);
+  const std::size_t variant = keys.find(", law_variant");
+  return named_law(law) + (variant == std::string::npos ? "" : keys.substr(variant));
+}
+
 std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot) {
   std::vector<materials::SourcedLaw> laws{robot.record.recommended};
   laws.insert(laws.end(), robot.record.others.begin(), robot.record.others.end());

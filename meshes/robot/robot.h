@@ -106,6 +106,10 @@ std::string summary_of(const Robot& robot);
 /// Returns the laws of the record of the robot's silicone but for its own.
 std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot);
 
+/// Returns a law of a record for people, so that it is told from others of its name: with the beginning of its source, and its
+/// number where there are several: "ogden1, Soft Robotics Materials Database, law_variant = 2".
+std::string law_text(const materials::SourcedLaw& law, const materials::SiliconeRecord& record);
+
 /// Returns the law of the robot's silicone in one sentence for people: its initial shear modulus and source, and how much softer
 /// and stiffer the other laws of the record are. What a body bears goes nearly with this modulus.
 std::string law_summary_of(const Robot& robot);

@@ -28,15 +28,24 @@ constexpr double largest_cell_edge_m = 0.5;
 /// Cells that a message names.
 constexpr std::size_t named_cells = 4;
 
+/// A cell by its place, counted from 0, and where it is written in layers, whose entries count from 1: "(2, 1, 0) (digit 3 of
+/// layers[1][2])".
+std::string cell_in_file(const CellIndex& place, std::string_view key) {
+  const auto from_1 = [](int at) { return std::to_string(at + 1); };
+  if (key != "layers") return cell_text(place);
+  return cell_text(place) + " (digit " + from_1(place.x) + " of layers[" + from_1(place.z) + "][" + from_1(place.y) + "])";
+}
+
 /// The cells outside the largest part of a body, by their places: "cell (0, 0, 0) is", "cells (0, 0, 0), (2, 0, 0) and 3 more
 /// are".
-std::string cells_apart(const Polycube& body) {
+/// @param key of the table that has the body
+std::string cells_apart(const Polycube& body, std::string_view key) {
   const Polycube largest = largest_component(body);
   std::vector<std::string> places;
   std::size_t count = 0;
   for (const CellIndex& place : body.occupied()) {
     if (largest.at(place) != empty) continue;
-    if (++count <= named_cells) places.push_back(cell_text(place));
+    if (++count <= named_cells) places.push_back(cell_in_file(place, key));
   }
   std::string text = (count == 1 ? "cell " : "cells ") + io::joined(places);
   if (count > places.size()) text += " and " + std::to_string(count - places.size()) + " more";
@@ -55,9 +64,9 @@ void check_body(const Robot& robot, const io::TomlTable& table) {
   const std::string_view key = robot.design_file ? "file" : table.has("digits") ? "digits" : "layers";
   if (const std::size_t parts = count_components(robot.design.body); parts > 1)
     throw table.error(key, "the body is in " + std::to_string(parts) + " parts that are not joined by a side of a cell: " +
-                               cells_apart(robot.design.body) + " not joined to the largest part");
+                               cells_apart(robot.design.body, key) + " not joined to the largest part");
   if (const auto contact = first_weak_contact(robot.design.body)) {
-    throw table.error(key, "cells " + cell_text(contact->first) + " and " + cell_text(contact->second) +
+    throw table.error(key, "cells " + cell_in_file(contact->first, key) + " and " + cell_in_file(contact->second, key) +
                                " touch only along an edge or at a corner: a cast body would break there");
   }
 }

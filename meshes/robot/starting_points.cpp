@@ -23,7 +23,8 @@ layers = [["000", "101", "000"], ["111", "111", "111"]]
 cell_edge_m = 0.01
 silicone = "dragon_skin_10"
 )"},
-    StartingPoint{"quadruped", "a plate on four feet, the paper's kind of walker", R"(
+    StartingPoint{"quadruped", "a plate on four feet, the paper's kind of walker; as it is, it does not walk on finite elements",
+                  R"(
 [robot]
 layers = [["101", "000", "101"], ["111", "111", "111"]]
 cell_edge_m = 0.01
@@ -40,7 +41,8 @@ chambers = "per-phase"
 [drive]
 mode = "antiphase"
 )"},
-    StartingPoint{"finger", "a finger: a bar of nine cells with bellows on top, which bends by 3 mm at 12 kPa; it does not walk",
+    StartingPoint{"finger",
+                  "a finger: a bar of nine cells with bellows on top, whose end bends 14 mm sideways at 12 kPa; it does not walk",
                   R"(
 [robot]
 layers = [["111111111"], ["101010101"]]

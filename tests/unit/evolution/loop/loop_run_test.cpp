@@ -118,6 +118,13 @@ TEST_F(LoopRunTest, SecondRunDoesNothing) {
   EXPECT_NE(out_.str().find("7 of 7  locomote_finer  as before"), std::string::npos) << out_.str();
 }
 
+TEST_F(LoopRunTest, ChangedNameRunsNothing) {
+  ASSERT_EQ(run(), io::exit_code::done);
+  change("name = \"bar\"", "name = \"beam\"");
+  EXPECT_EQ(run(), io::exit_code::done);
+  EXPECT_EQ(called(), Names{});
+}
+
 TEST_F(LoopRunTest, ChangedKeyRunsOnlyWhatDependsOnIt) {
   ASSERT_EQ(run(), io::exit_code::done);
   add("[ground]\nkinetic_friction = 0.4\n");
@@ -175,7 +182,7 @@ TEST_F(LoopRunTest, WhatTheBodyDoesNotBearIsNotWalkedWith) {
   EXPECT_NE(out_.str().find("locomote        left out: it balloons at 8 kPa, before the 9 kPa of drive.pressure_Pa"),
             std::string::npos)
       << out_.str();
-  EXPECT_NE(out_.str().find("lower drive.pressure_Pa to 5.71 kPa or less"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("lower drive.pressure_Pa to 5710 Pa or less"), std::string::npos) << out_.str();
   // No report may take the walk of the former drive for one of this drive.
   EXPECT_FALSE(fs::exists(folder_ / "results/locomote/manifest.json"));
   EXPECT_EQ(run("", "locomote"), io::exit_code::done);  // who asks for it gets it

@@ -87,6 +87,15 @@ TEST(ReportRun, TakesTheFolderAndTheFileOfARobotForTheResultsOfItsLoop) {
   }
 }
 
+TEST(ReportRun, IsCalledAsTheRobotOfItsLoopIsNow) {
+  const tests::TestFolder folder;
+  write_walk(folder / "locomote", "menger-locomote", "cube");
+  io::write_manifest(folder,
+                     {.program = "menger-loop", .parameters = "[robot]\nname = \"dice\"\n", .seed = std::nullopt, .inputs = {}});
+  const ReportResult result = write_report(folder, quick());
+  EXPECT_NE(io::read_whole(result.file).find("<title>Report: dice</title>"), std::string::npos);
+}
+
 TEST(ReportRun, LeavesOutWhatStagesComputedForAnEarlierRobot) {
   const tests::TestFolder folder;
   write_walk(folder / "locomote", "menger-locomote", "cube");

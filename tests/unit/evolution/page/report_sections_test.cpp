@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "evolution/page/input_table.h"
 #include "evolution/page/result_facts.h"
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
@@ -137,6 +138,52 @@ TEST_F(ReportSectionsTest, DrawsHowAWalkComesBack) {
   EXPECT_NEAR(facts.farthest_m.value_or(0.0), 0.02, 1e-9);
 }
 
+TEST_F(ReportSectionsTest, DrawsWalksOfOneBodyAlongOneDirection) {
+  const auto walk = [&](const std::string& place, const std::string& file, const std::string& x_m, const std::string& elements) {
+    write(place + "/trajectory.csv",
+          "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0,0,0\n1," + x_m + ",0,0.01\n");
+    write(place + "/" + file, "status = \"completed\"\ntime_s = 1\ndisplacement_m = [" + x_m +
+                                  ", 0, 0]\nhorizontal_displacement_m = 0.01\nhorizontal_displacement_body_lengths = 0.3\n" +
+                                  (elements.empty() ? "" : "elements = " + elements + "\n"));
+    CommandOutput made = output(place);
+    made.stated.body = ManifestBody{.layers = {{"101"}, {"111"}}, .cell_edge_m = 0.01};
+    return made;
+  };
+  CommandOutput coarse = walk("locomote", "locomotion.toml", "0.01", "900");
+  CommandOutput fine = walk("locomote_finer", "locomotion.toml", "-0.01", "2000");
+  fine.program = "menger-locomote";
+  CommandOutput voxels = walk("simulate", "result.toml", "0.01", "");
+  const PageChart chart = section({coarse, fine, voxels}, "walks").charts.at(0);
+  EXPECT_NEAR(chart.series.at(0).y.back(), -10.0, 1e-9);
+  EXPECT_NEAR(chart.series.at(1).y.back(), 10.0, 1e-9) << "the walk on the finest elements";
+  EXPECT_NEAR(chart.series.at(2).y.back(), -10.0, 1e-9);
+  fine.stated.body->cell_edge_m = 0.02;
+  const PageChart apart = section({coarse, fine}, "walks").charts.at(0);
+  EXPECT_NEAR(apart.series.at(0).y.back(), 10.0, 1e-9) << "another body has its own direction";
+}
+
+TEST_F(ReportSectionsTest, TellHowBodiesAreHeld) {
+  CommandOutput inflation = output("inflate");
+  inflation.parameters = R"({"supports": {"kind": "ground_guided"}})";
+  inflation.stated.supports = "ground_guided";
+  write("validate/curves/robot_inflation.toml", "status = \"completed\"\n");
+  const PageTable inputs = input_table({inflation, output("validate")}, folder_);
+  const auto row = std::ranges::find_if(inputs.rows, [](const auto& cells) { return cells.at(0) == "supports"; });
+  ASSERT_NE(row, inputs.rows.end());
+  EXPECT_EQ(row->at(1),
+            "slides on the ground, which it does not leave (inflate); free, only its rigid motions are held (validate)");
+}
+
+TEST_F(ReportSectionsTest, ReadsThePressureAtWhichWallsTouch) {
+  write("inflate/result.toml", "status = \"wall_contact\"\n");
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,1e-6\n"
+        "1,2000,2e-6,-2000,0.9e-6\n2,-534,0.7e-6,534,1.1e-6\n");
+  EXPECT_EQ(read_facts({output("inflate")}, notes_).inflations.at(0).last_pressure_Pa.value_or(0.0), -534.0);
+  write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,-900,0.6e-6\n2,0,1e-6\n");
+  EXPECT_NEAR(read_facts({output("inflate")}, notes_).inflations.at(0).volume_growth.value_or(0.0), -0.4, 1e-9);
+}
+
 TEST_F(ReportSectionsTest, DrawsTheDistanceFromTheStartOfWhatIsNoWalk) {
   write("locomote/trajectory.csv",
         "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0.001,0,0\n1,-0.013,0,0.014\n2,,,\n"
@@ -253,6 +300,16 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
   ASSERT_EQ(ranking.charts.size(), 1U);
   ASSERT_EQ(ranking.charts[0].series.size(), 2U);
   EXPECT_EQ(ranking.charts[0].series[0].y, std::vector<double>{1.0});
+  const auto has_columns_of_search = [&](const std::string& parameters) {
+    CommandOutput made = output("reevaluate");
+    made.parameters = parameters;
+    const PageTable table = section({made}, "ranking").tables.at(0);
+    return std::ranges::find_if(table.columns, [](const std::string& title) { return title.starts_with("search"); }) !=
+           table.columns.end();
+  };
+  EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "voxels"}}})"));
+  EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "voxels", "search": {"evaluation": {"model": "both"}}})"));
+  EXPECT_TRUE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "finite_elements"}}})"));
   const RankingFacts facts = read_facts({output("reevaluate")}, notes_).rankings.at(0);
   EXPECT_EQ(facts.designs, 3U);
   EXPECT_EQ(facts.compared, 2U);

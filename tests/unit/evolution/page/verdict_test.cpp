@@ -107,9 +107,55 @@ TEST(Verdict, NamesADriveNearOrBeyondTheLimitPressure) {
 
 TEST(Verdict, NamesTheVacuumAtWhichWallsTouch) {
   ReportFacts facts;
-  facts.inflations = {{.status = io::RunStatus::wall_contact, .highest_pressure_Pa = 0.0, .lowest_pressure_Pa = -515.85}};
+  facts.inflations = {{.status = io::RunStatus::wall_contact, .highest_pressure_Pa = 0.0, .last_pressure_Pa = -515.85}};
   EXPECT_NE(finding_with(verdict_of(facts), "Walls of chambers touch beyond -0.516 kPa. The finite elements end there.").text,
             "");
+}
+
+TEST(Verdict, SaysThatTheElementsOfAValidationEndedEarly) {
+  ReportFacts facts;
+  facts.validations = {{.bodies = 1, .displacement = {.count = 9, .median = 0.05}}};
+  EXPECT_EQ(finding_with(verdict_of(facts), "shapes are 5 %").tone, Tone::good);
+  facts.validations.front().early_end = "limit_point, pressure_Pa = 5000 was not reached";
+  const Finding finding =
+      finding_with(verdict_of(facts),
+                   "Its finite elements, quadratic ones, ended before the pressure of the drive (limit_point, "
+                   "pressure_Pa = 5000 was not reached).");
+  EXPECT_EQ(finding.tone, Tone::caution);
+}
+
+TEST(Verdict, TellsAVacuumByItsLowestPressure) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::completed,
+                       .highest_pressure_Pa = 0.0,
+                       .lowest_pressure_Pa = -900.0,
+                       .volume_growth = -0.34,
+                       .stated = {.elements = "thin_wall"}}};
+  EXPECT_NE(finding_with(verdict_of(facts),
+                         "Evacuated to -0.9 kPa by thin walls, where no walls of its chambers touch. Its chamber then has 0.66 "
+                         "times its volume at rest.")
+                .text,
+            "");
+  EXPECT_EQ(verdict_of(facts).headline.find("Usable"), std::string::npos) << verdict_of(facts).headline;
+}
+
+TEST(Verdict, SaysThatABodyFellOver) {
+  ReportFacts facts = two_walks(0.5, 0.0, 1.2, 0.0);
+  facts.walks.back().fell_s = 1.67;
+  const Verdict verdict = verdict_of(facts);
+  EXPECT_NE(finding_with(verdict, "The body falls over in the surrogate, at 1.7 s: this is no walk.").text, "");
+  EXPECT_NE(finding_with(verdict, "in the surrogate it does not walk. Do not trust the surrogate").text, "");
+  facts.walks.erase(facts.walks.begin());
+  EXPECT_EQ(finding_with(verdict_of(facts), "It moves 1.2 body lengths").text.find("towards"), std::string::npos);
+}
+
+TEST(Verdict, TellsADirectionThatMeshesAgreeOn) {
+  ReportFacts facts = two_walks(0.53, 0.0, 0.85, 1.0);
+  facts.walks.back().model = WalkModel::elements;
+  facts.walks.back().body_lengths = 3.0;  // more than comparable
+  EXPECT_NE(finding_with(verdict_of(facts), "The direction of this walk is known, its distance is not.").text, "");
+  facts.walks.back().direction_deg = 180.0;
+  EXPECT_NE(finding_with(verdict_of(facts), "How it walks is not known: chance decides such a walk.").text, "");
 }
 
 TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
@@ -117,6 +163,10 @@ TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to at least 6 kPa."));
   EXPECT_NE(finding_with(verdict_of(facts), "Its chamber then has 1.68 times its volume at rest").text, "");
+  facts.inflations.front().sideways_m = 0.0031;
+  EXPECT_NE(
+      finding_with(verdict_of(facts), "at rest. The middle of its far end moves 3.1 mm sideways, seen from the near one.").text,
+      "");
   facts.inflations.front().plena = 2;
   EXPECT_NE(finding_with(verdict_of(facts), "the one that grows most then has 1.68 times").text, "");
   facts.inflations.front().status = io::RunStatus::not_converged;

@@ -112,6 +112,18 @@ TEST(ReevaluationText, SaysWhatBothModelsSaidOfEveryRobot) {
     EXPECT_NE(text.find(words), std::string::npos) << text << "\ndoes not say: " << words;
 }
 
+TEST(ReevaluationText, NamesNoBestWhereNoneGoesFarEnough) {
+  const ReevaluationStudy study = some_study();
+  ReevaluationFindings findings;
+  findings.designs = {evaluated(1, 0.03, 0.001), evaluated(2, 0.02, 0.002)};
+  findings.rankings = rank_all(study, findings.designs);
+  EXPECT_FALSE(findings.rankings.front().best);
+  const std::string text = findings_text(study, findings);
+  EXPECT_NE(text.find("none of them goes 0.1 body lengths on finite elements, the least that is ranked"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("loses"), std::string::npos) << text;
+}
+
 TEST(ReevaluationText, SaysThatOnePeriodIsMeasured) {
   ReevaluationStudy study = some_study();
   ReevaluationFindings findings;

@@ -14,6 +14,7 @@ TEST(NearMiss, IsTheWordThatFewestChangesLeadTo) {
   EXPECT_EQ(near_miss("timess", words), "times");
   EXPECT_EQ(near_miss("durationn", words), "duration_s");
   EXPECT_EQ(near_miss("gruond", words), "ground");
+  EXPECT_EQ(near_miss("wakl", std::vector<std::string>{"drive", "walk"}), "walk");
 }
 
 TEST(NearMiss, IsNothingForAnotherWord) {

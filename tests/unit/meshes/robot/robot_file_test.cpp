@@ -136,15 +136,18 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect_body("layers = [[\"1\"]]\ncell_edge_m = 12\n", "cell_edge_m = 12: is more than 0.5 m: lengths are in metres");
   expect_body("layers = [[\"1\"]]\ncell_edge_m = \"12mm\"\n", "cell_edge_m = \"12mm\": must be a number (metres)");
   expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [[\"101\"]]: the body is in 2 parts");
-  expect_body("layers = [[\"11011111\"]]\ncell_edge_m = 0.01\n",
-              ": cells (0, 0, 0), (1, 0, 0) are not joined to the largest part");
-  expect_body("layers = [[\"10101010111\"]]\ncell_edge_m = 0.01\n", ", (6, 0, 0) are not joined");
-  expect_body("layers = [[\"1010101010111\"]]\ncell_edge_m = 0.01\n", ", (6, 0, 0) and 1 more are not joined");
+  expect_body(
+      "layers = [[\"11011111\"]]\ncell_edge_m = 0.01\n",
+      ": cells (0, 0, 0) (digit 1 of layers[1][1]), (1, 0, 0) (digit 2 of layers[1][1]) are not joined to the largest part");
+  expect_body("layers = [[\"10101010111\"]]\ncell_edge_m = 0.01\n", ", (6, 0, 0) (digit 7 of layers[1][1]) are not joined");
+  expect_body("layers = [[\"1010101010111\"]]\ncell_edge_m = 0.01\n",
+              ", (6, 0, 0) (digit 7 of layers[1][1]) and 1 more are not joined");
   expect_body("layers = [[010]]\ncell_edge_m = 0.01\n", "a row of digits stands in quotes");
   expect_body("layers = [[111]]\ncell_edge_m = 0.01\n", "layers[1][1] = 111: must be a text in quotes");
   expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "robot.digits = \"1001\": the body is in 2 parts");
   expect_body("layers = [[\"10\", \"01\"], [\"11\", \"01\"]]\ncell_edge_m = 0.01\n",
-              "cells (0, 0, 0) and (1, 1, 0) touch only along an edge");
+              "cells (0, 0, 0) (digit 1 of layers[1][1]) and (1, 1, 0) (digit 2 of layers[1][2]) touch only along an edge");
+  expect_body("cells = [2, 2, 1]\ndigits = \"1001\"\ncell_edge_m = 0.01\n", "cell (1, 1, 0) is not joined");
   expect(whole + "[ground]\nstatic_friction = 0.4\n", "must be at most static_friction, which is 0.4; left out, it is 0.5");
   expect(whole + "[surrogate]\nparameters = \"p.toml\"\nfit_anew = true\n", "fit_anew = true: cannot be true beside parameters");
   expect(whole + "[search]\nmodel = \"voxels\"\nrobust = true\n", "robust = true: needs model");

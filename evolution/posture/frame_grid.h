@@ -19,4 +19,7 @@ namespace menger::evolution {
 /// @throws io::InputError if the file cannot be read or is none of this kind
 vtkSmartPointer<vtkUnstructuredGrid> read_frame_grid(const std::filesystem::path& file);
 
+/// Returns whether a file lies in a folder or below it, after all links.
+bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 }  // namespace menger::evolution

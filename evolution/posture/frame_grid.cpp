@@ -1,4 +1,4 @@
-#include "evolution/page/frame_grid.h"
+#include "evolution/posture/frame_grid.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <system_error>
 
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
@@ -168,6 +169,16 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_by(const fs::path& file) {
 }
 
 }  // namespace
+
+bool is_within(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  if (error) return false;
+  const fs::path root = fs::weakly_canonical(folder, error);
+  if (error) return false;
+  const fs::path way = whole.lexically_relative(root);
+  return !way.empty() && *way.begin() != "..";
+}
 
 vtkSmartPointer<vtkUnstructuredGrid> read_frame_grid(const fs::path& file) {
   vtkSmartPointer<vtkUnstructuredGrid> grid;

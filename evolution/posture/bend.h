@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace menger::evolution {
+
+/// How a long body bends, such as a finger.
+struct Bend {
+  double sideways_m = 0.0;  ///< how far the middle of its far end moves across the body, seen from the near end
+  double along_m = 0.0;     ///< how far along it; below 0 towards the near end
+};
+
+/// Returns how a body bends in the last state of an inflation (fields.pvd), or nothing if it has no such states.
+///
+/// The near end, within one cell of the lowest end of its longest axis, counts as held: its displacement and rotation are taken
+/// out, so that it does not matter how the body is held. Sideways is across the longest axis.
+/// @param folder of the inflation: no file outside of it is read
+/// @param cell_edge_m > 0
+/// @throws io::InputError if the fields cannot be read or are damaged
+std::optional<Bend> bend_in_inflation(const std::filesystem::path& folder, double cell_edge_m);
+
+}  // namespace menger::evolution

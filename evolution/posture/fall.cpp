@@ -1,0 +1,139 @@
+#include "evolution/posture/fall.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "evolution/posture/frame_grid.h"
+#include "evolution/posture/two_numbers.h"
+#include "io/process/child_reading.h"
+#include "io/text/input_error.h"
+#include "io/text/is_file.h"
+#include "io/vtk/collection.h"
+#include "meshes/load_cases/body_extents.h"
+
+namespace menger::evolution {
+namespace {
+
+namespace fs = std::filesystem;
+using Place = std::array<double, 3>;
+
+Place cross(const Place& a, const Place& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// How a body stands, by the ends that it has in its first frame.
+class Posture {
+ public:
+  explicit Posture(vtkUnstructuredGrid& first) : count_(first.GetNumberOfPoints()) {
+    constexpr double rounding = 1e-6;  // of the extent of the body
+    for (vtkIdType n = 0; n < count_; ++n) at_rest_m_.push_back(place_of(first, n));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::ranges::minmax(at_rest_m_, {}, [&](const Place& place) { return place.at(axis); });
+      const double within_m = rounding * (high.at(axis) - low.at(axis));
+      for (std::size_t n = 0; n < at_rest_m_.size(); ++n) {
+        if (at_rest_m_[n].at(axis) <= low.at(axis) + within_m) ends_.at(axis)[0].push_back(n);
+        if (at_rest_m_[n].at(axis) >= high.at(axis) - within_m) ends_.at(axis)[1].push_back(n);
+      }
+    }
+  }
+
+  /// The direction into which the rotation of the body turns the vertical. @throws io::InputError if the frame is of another mesh
+  [[nodiscard]] Place upright(const fs::path& file) const {
+    const auto grid = read_frame_grid(file);
+    vtkDataArray* moved = grid->GetPointData()->GetArray("displacement_m");
+    if (moved == nullptr || grid->GetNumberOfPoints() != count_)
+      throw io::InputError(file.string() + ": is of another mesh than the first frame");
+    std::vector<Place> places_m = at_rest_m_;
+    for (std::size_t n = 0; n < places_m.size(); ++n)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        places_m[n].at(axis) += moved->GetComponent(static_cast<vtkIdType>(n), static_cast<int>(axis));
+    const auto rotation = meshes::rotation_of_body(ends_m(at_rest_m_), ends_m(places_m));
+    return {rotation[0][2], rotation[1][2], rotation[2][2]};
+  }
+
+ private:
+  static Place place_of(vtkUnstructuredGrid& grid, vtkIdType n) {
+    Place place{};
+    grid.GetPoint(n, place.data());
+    return place;
+  }
+
+  [[nodiscard]] meshes::EndPoints ends_m(const std::vector<Place>& places_m) const {
+    meshes::EndPoints ends{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        const std::vector<std::size_t>& points = ends_.at(axis).at(end);
+        for (const std::size_t n : points)
+          for (std::size_t i = 0; i < 3; ++i)
+            ends.at(axis).at(end).at(i) += places_m[n].at(i) / static_cast<double>(points.size());
+      }
+    }
+    return ends;
+  }
+
+  vtkIdType count_;
+  std::vector<Place> at_rest_m_;
+  std::array<std::array<std::vector<std::size_t>, 2>, 3> ends_;
+};
+
+/// The frames at the ends of strokes, the one before them all first.
+std::vector<io::CollectionEntry> frames_at_ends(const fs::path& folder, double period_s) {
+  std::vector<io::CollectionEntry> frames;
+  for (io::CollectionEntry& entry : io::read_collection(folder / "frames.pvd"))
+    if (entry.part == 0 && std::isfinite(entry.time_s) && is_within(folder / entry.file, folder))
+      frames.push_back(std::move(entry));
+  std::ranges::stable_sort(frames, {}, &io::CollectionEntry::time_s);
+  if (frames.empty()) return {};
+  std::vector<io::CollectionEntry> chosen{frames.front()};
+  const double start_s = frames.front().time_s;
+  const double end_s = frames.back().time_s;
+  // Two frames in a stroke at least: fewer do not tell one stroke from the next.
+  if (static_cast<double>(frames.size() - 1) * period_s < 2.0 * (end_s - start_s)) return {};
+  constexpr double rounding = 1e-3;
+  for (int n = 1; n * period_s <= end_s - start_s + rounding * period_s; ++n) {
+    const double time_s = start_s + n * period_s;
+    chosen.push_back(
+        *std::ranges::min_element(frames, {}, [&](const io::CollectionEntry& entry) { return std::abs(entry.time_s - time_s); }));
+  }
+  return chosen;
+}
+
+std::optional<Fall> first_fall(const fs::path& folder, const std::vector<io::CollectionEntry>& frames) {
+  const Posture posture(*read_frame_grid(folder / frames.front().file));
+  const Place first = posture.upright(folder / frames[1].file);
+  for (std::size_t n = 2; n < frames.size(); ++n) {
+    const Place now = posture.upright(folder / frames[n].file);
+    const Place across = cross(first, now);
+    const double along = first[0] * now[0] + first[1] * now[1] + first[2] * now[2];
+    const double lean_deg = 180.0 / std::numbers::pi * std::atan2(std::hypot(across[0], across[1], across[2]), along);
+    if (lean_deg > largest_lean_deg) return Fall{.time_s = frames[n].time_s, .lean_deg = lean_deg};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Fall> fall_in_walk(const fs::path& folder, double period_s) {
+  if (!io::is_file(folder / "frames.pvd")) return std::nullopt;
+  const std::vector<io::CollectionEntry> frames = frames_at_ends(folder, period_s);
+  constexpr std::size_t least_frames = 3;  // the first, and the ends of two strokes
+  if (frames.size() < least_frames) return std::nullopt;
+  const std::string told = io::read_in_child(folder / frames.front().file, "VTK", [&] {
+    const std::optional<Fall> fall = first_fall(folder, frames);
+    return fall ? two_numbers(fall->time_s, fall->lean_deg) : std::string();
+  });
+  if (told.empty()) return std::nullopt;
+  const auto [time_s, lean_deg] = two_numbers_in(told);
+  return Fall{.time_s = time_s, .lean_deg = lean_deg};
+}
+
+}  // namespace menger::evolution

@@ -1,0 +1,99 @@
+#include "evolution/posture/bend.h"
+
+#include <gtest/gtest.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "io/vtk/collection.h"
+#include "io/vtk/vtk_file.h"
+#include "tests/support/test_folder.h"
+
+namespace menger::evolution {
+namespace {
+
+using Place = std::array<double, 3>;
+
+/// A bar of four cells of 1 m along x, of which each corner has moved. Points stay where they are at rest.
+vtkSmartPointer<vtkUnstructuredGrid> bar(const std::function<Place(const Place&)>& moved_to) {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> moved;
+  moved->SetName("displacement_m");
+  moved->SetNumberOfComponents(3);
+  constexpr int cells = 4;
+  for (int x = 0; x <= cells; ++x) {
+    for (const auto& [y, z] : std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      const Place rest{static_cast<double>(x), y, z};
+      const Place now = moved_to(rest);
+      points->InsertNextPoint(rest.data());
+      moved->InsertNextTuple3(now[0] - rest[0], now[1] - rest[1], now[2] - rest[2]);
+    }
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(moved);
+  for (vtkIdType n = 0; n < 4 * cells; n += 4) {
+    const std::array<vtkIdType, 8> ids{n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7};
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
+  }
+  return grid;
+}
+
+class BendTest : public testing::Test {
+ protected:
+  void write(const std::function<Place(const Place&)>& moved_to) {
+    io::write_vtu(folder_ / "rest.vtu", *bar([](const Place& place) { return place; }));
+    io::write_vtu(folder_ / "last.vtu", *bar(moved_to));
+    io::write_collection(folder_ / "fields.pvd", {{0.0, "rest.vtu"}, {1.0, "last.vtu"}});
+  }
+
+  tests::TestFolder folder_;
+};
+
+/// Beyond the first cell the bar bends down, and gets longer.
+Place bent(const Place& place) {
+  const double beyond = std::max(0.0, place[0] - 1.0);
+  return {place[0] + 0.1 * beyond, place[1], place[2] - 0.02 * beyond * beyond};
+}
+
+TEST_F(BendTest, IsThatOfTheFarEndAgainstTheNearOne) {
+  write(bent);
+  const auto bend = bend_in_inflation(folder_, 1.0);
+  ASSERT_TRUE(bend);
+  EXPECT_NEAR(bend->sideways_m, 0.18, 1e-9);
+  EXPECT_NEAR(bend->along_m, 0.3, 1e-9);
+}
+
+TEST_F(BendTest, DoesNotDependOnHowTheBodyIsHeld) {
+  write([](const Place& place) {
+    const Place here = bent(place);
+    const double c = std::cos(0.7);
+    const double s = std::sin(0.7);
+    return Place{here[0] * c - here[2] * s + 5.0, here[1] - 2.0, here[0] * s + here[2] * c};
+  });
+  const auto bend = bend_in_inflation(folder_, 1.0);
+  ASSERT_TRUE(bend);
+  EXPECT_NEAR(bend->sideways_m, 0.18, 1e-9);
+  EXPECT_NEAR(bend->along_m, 0.3, 1e-9);
+}
+
+TEST_F(BendTest, NeedsTwoStates) {
+  EXPECT_FALSE(bend_in_inflation(folder_, 1.0));
+  write(bent);
+  io::write_collection(folder_ / "fields.pvd", {{0.0, "rest.vtu"}});
+  EXPECT_FALSE(bend_in_inflation(folder_, 1.0));
+}
+
+}  // namespace
+}  // namespace menger::evolution
