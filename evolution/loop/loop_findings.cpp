@@ -747,10 +747,11 @@ bool have_one_direction(const Walk& one, const Walk& other) {
 std::string mesh_verdict(const Walk& coarser, const Walk& finer, const meshes::Robot& robot) {
   if (!are_as_long(coarser, finer)) return "Its walks on two meshes last differently long and are not compared.";
   if (coarser.fell_s && finer.fell_s) return "It falls over on finite elements of two meshes: it does not walk.";
-  if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere)
+  if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere) {
     return "It does not walk on finite elements of two meshes: it ends within " +
            percents(meshes::walk_limits::least_body_lengths) + " of its length from where it began" +
            (robot.evolves ? "; the search has found no walker: give it more generations or mutants ([search])." : ".");
+  }
   const std::string on_meshes = " on finite elements of two meshes";
   if (agree(coarser, finer)) return "Finite elements of two meshes agree on the walk: " + both(coarser, finer) + ".";
   if (agreement(coarser, finer) == meshes::WalkAgreement::one_goes_nowhere) {

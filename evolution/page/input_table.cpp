@@ -226,7 +226,7 @@ std::string damping_text(const json& material) {
 std::string strokes_text(const json& drive) {
   const auto frequency_Hz = number_of(drive, "frequency_Hz");
   if (!frequency_Hz || text_of(drive, "mode") == "hold") return {};
-  const std::string text = shown_number(*frequency_Hz) + " Hz, a sine";
+  std::string text = shown_number(*frequency_Hz) + " Hz, a sine";
   const double strokes = number_of(drive, "ramp_s").value_or(1.0 / *frequency_Hz) * *frequency_Hz;
   if (strokes == 0.0) return text;
   constexpr double tolerance = 1e-6;
