@@ -35,7 +35,7 @@ class LoopFindings : public testing::Test {
   }
 
   /// Writes the frames of a walk: a cell that leans by some angle at the end of each stroke of a third of a second.
-  void write_frames(const std::string& stage, const std::vector<double>& leans_deg) const {
+  void leave_frames(const std::string& stage, const std::vector<double>& leans_deg) const {
     std::string collection = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
     for (std::size_t n = 0; n <= 2 * leans_deg.size(); ++n) {
       const double lean = (n == 0 ? 0.0 : leans_deg[(n - 1) / 2]) * std::numbers::pi / 180.0;
@@ -429,17 +429,17 @@ TEST_F(LoopFindings, TellAFallFromAWalk) {
   write_walk("simulate/result.toml", 0.037, 0.0);
   write_walk("locomote/locomotion.toml", 0.02, 0.0);
   write_walk("locomote_finer/locomotion.toml", 0.024, 0.0);
-  write_frames("simulate", {2.0, 3.0, 10.0});
+  leave_frames("simulate", {2.0, 3.0, 10.0});
   EXPECT_EQ(found("simulate"), "it moves 37 mm (0.5 body lengths) in 5 s");
-  write_frames("simulate", {2.0, 3.0, 80.0, 85.0});
+  leave_frames("simulate", {2.0, 3.0, 80.0, 85.0});
   EXPECT_EQ(found("simulate"), "it moves 37 mm (0.5 body lengths) in 5 s, but fell over at 1 s: this is no walk");
   expect_has(verdict(), "The body fell over at 1 s in the walk of the surrogate: this is no walk.");
   expect_has(verdict(),
              "The surrogate does not walk as finite elements do: 37 mm and 24 mm, of which the first is a fall (surrogate and");
-  write_frames("locomote_finer", {2.0, 3.0, 80.0});
+  leave_frames("locomote_finer", {2.0, 3.0, 80.0});
   expect_has(verdict(),
              "Whether it walks is not known: it moves 20 mm and 24 mm on finite elements of two meshes, and 24 mm is a fall.");
-  write_frames("locomote", {2.0, 90.0, 90.0});
+  leave_frames("locomote", {2.0, 90.0, 90.0});
   expect_has(verdict(), "It falls over on finite elements of two meshes: it does not walk.");
   io::write_whole(folder_ / "simulate/frame_0.vtu", "no grid");
   EXPECT_EQ(found("simulate"), "it moves 37 mm (0.5 body lengths) in 5 s") << "the walk is known without its frames";

@@ -438,12 +438,12 @@ TEST_F(LoopRunTest, OnlyTakesNoResultsThatAChangeMadeOld) {
 
 TEST_F(LoopRunTest, SearchThatFindsTheBodyComesFirst) {
   change("layers = [[\"1111\"]]", "design = \"evolve\"");
-  const std::string design = "name = \\\"c\\\"\\ncell_edge_m = 0.01\\nlayers = [[\\\"101\\\"], [\\\"111\\\"]]\\n";
+  const std::string design = "name = \\\"c\\\"\\ncell_edge_m = 0.01\\nlayers = [[\\\"1001\\\"], [\\\"1111\\\"]]\\n";
   write_program("export", "printf \"" + design + "\" > export/champion.toml");
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), (Names{"evolve", "export", "mesh", "inflate", "inflate", "validate", "simulate", "locomote", "locomote",
                              "reevaluate"}));
-  EXPECT_NE(io::read_whole(folder_ / "results/studies/inflate.toml").find("digits = \"101111\""), std::string::npos);
+  EXPECT_NE(io::read_whole(folder_ / "results/studies/inflate.toml").find("digits = \"10011111\""), std::string::npos);
   EXPECT_EQ(run(), io::exit_code::done);
   EXPECT_EQ(called(), Names{});
 }

@@ -259,7 +259,7 @@ std::vector<meshes::Polycube> hollow_bodies() {
   }
   table.set({0, 0, 0}, 1);
   table.set({2, 2, 0}, 1);
-  return {meshes::bar(3), table, meshes::full_cube(2), meshes::Polycube::from_digits(3, 1, 2, "102112")};
+  return {meshes::bar(3), table, meshes::full_cube(2), meshes::Polycube::from_digits(3, 1, 2, "101111")};
 }
 
 /// Calibrated bodies that are driven hard enough to slide on their feet.
