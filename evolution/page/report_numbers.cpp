@@ -22,6 +22,11 @@ std::string shown_number(const std::optional<double>& value) { return value ? sh
 
 std::string shown_whole(double value) { return io::formatted("%.0f", std::round(value) + 0.0); }
 
+std::string degrees_text(double angle_deg) {
+  const std::string shown = shown_whole(angle_deg);
+  return shown + (shown == "1" ? " degree" : " degrees");
+}
+
 std::string text_in(const io::CsvContents& table, std::size_t row, std::string_view column) {
   return table.has(column) ? table.text(row, column) : std::string();
 }

@@ -341,12 +341,6 @@ meshes::WalkAgreement agreement_of(const WalkFacts& a, const WalkFacts& b) {
   return meshes::compare_walks(outcome(a), outcome(b));
 }
 
-/// "20 degrees"
-std::string degrees_text(double angle_deg) {
-  const std::string shown = io::formatted("%.0f", angle_deg);
-  return shown + (shown == "1" ? " degree" : " degrees");
-}
-
 /// The angle between two walks; nothing if one of them has no direction, as what is no walk has none.
 std::optional<double> angle_of(const WalkFacts& a, const WalkFacts& b) {
   if (!a.direction_deg || !b.direction_deg || goes_nowhere(a) || goes_nowhere(b)) return std::nullopt;

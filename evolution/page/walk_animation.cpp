@@ -190,10 +190,7 @@ class WalkPictures {
     if (bodies.size() == 2)
       text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
              way_text(bodies[1], time) + ", ";
-    if (scene_.angle_deg) {
-      const std::string angle = shown_whole(*scene_.angle_deg);
-      text += angle + (angle == "1" ? " degree apart, " : " degrees apart, ");
-    }
+    if (scene_.angle_deg) text += degrees_text(*scene_.angle_deg) + " apart, ";
     if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
     text += io::formatted("%.2f s", time);
     if (pace_.slower > 1) text += ", shown " + std::to_string(pace_.slower) + " times slower";

@@ -8,9 +8,8 @@ namespace menger::meshes {
 
 /// Where the height of a body's top is measured.
 struct BodyTop {
-  std::vector<std::size_t> cells;  ///< positions of the cells of the top layer whose centres are nearest to the middle
-  std::vector<std::array<int, 2>>
-      towards;  ///< where its point lies from the centre of each cell, along x and y: -1, 0 or 1 half edge
+  std::vector<std::size_t> cells;           ///< positions of the cells of the top layer whose centres are nearest to the middle
+  std::vector<std::array<int, 2>> towards;  ///< from the centre of each cell to its point, along x and y, in half edges: -1, 0, 1
   std::vector<std::array<double, 3>> points;  ///< in cells from the corner of the grid; the height is their mean
   bool is_open = false;                       ///< whether no cell of the top layer reaches its middle
 };

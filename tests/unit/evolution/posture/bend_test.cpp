@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -17,32 +13,23 @@
 
 #include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"
+#include "tests/support/moved_grid.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
 
-using Place = std::array<double, 3>;
+using tests::Place;
 
 /// A bar of four cells of 1 m along x, of which each corner has moved. Points stay where they are at rest.
 vtkSmartPointer<vtkUnstructuredGrid> bar(const std::function<Place(const Place&)>& moved_to) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> moved;
-  moved->SetName("displacement_m");
-  moved->SetNumberOfComponents(3);
   constexpr int cells = 4;
+  std::vector<Place> corners;
   for (int x = 0; x <= cells; ++x) {
-    for (const auto& [y, z] : std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-      const Place rest{static_cast<double>(x), y, z};
-      const Place now = moved_to(rest);
-      points->InsertNextPoint(rest.data());
-      moved->InsertNextTuple3(now[0] - rest[0], now[1] - rest[1], now[2] - rest[2]);
-    }
+    for (const auto& [y, z] : std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      corners.push_back({static_cast<double>(x), y, z});
   }
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(moved);
+  auto grid = tests::moved_grid(corners, moved_to, tests::PointsAre::at_rest);
   for (vtkIdType n = 0; n < 4 * cells; n += 4) {
     const std::array<vtkIdType, 8> ids{n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7};
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -20,30 +16,18 @@
 #include "io/text/whole_file.h"
 #include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"
+#include "tests/support/moved_grid.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::evolution {
 namespace {
 
-using Place = std::array<double, 3>;
+using tests::Place;
 
 /// One cell of 1 x 1 x 2 m, of which each corner has moved.
 vtkSmartPointer<vtkUnstructuredGrid> cell(const std::function<Place(const Place&)>& moved_to) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> moved;
-  moved->SetName("displacement_m");
-  moved->SetNumberOfComponents(3);
-  constexpr std::array<Place, 8> corners{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}}};
-  for (const Place& corner : corners) {
-    const Place now = moved_to(corner);
-    points->InsertNextPoint(now.data());
-    moved->InsertNextTuple3(now[0] - corner[0], now[1] - corner[1], now[2] - corner[2]);
-  }
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(moved);
+  const std::vector<Place> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}};
+  auto grid = tests::moved_grid(corners, moved_to, tests::PointsAre::moved);
   constexpr std::array<vtkIdType, 8> ids{0, 1, 2, 3, 4, 5, 6, 7};
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
   return grid;

@@ -147,15 +147,20 @@ SurrogateParameters alike_walls() {
   return truth;
 }
 
+/// The fit of a detail, whatever it gains, to curves of equilibria.
+Calibration fitted_with(CalibrationDetail detail, std::vector<FittedCurve> curves) {
+  CalibrationProblem problem = samples::problem(std::move(curves));
+  problem.responder = equilibrium_responder();
+  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, detail});
+  plan.choice = detail;
+  return calibrate(problem, plan);
+}
+
 TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
   SurrogateParameters truth = alike_walls();
   truth.neck_ratio = 1.7;
   // A slab, and one on two legs, whose feet move outwards. The slab alone says how far its walls stand out.
-  CalibrationProblem problem = samples::problem(inflations(truth, {"000000111111", "100001111111"}));
-  problem.responder = equilibrium_responder();
-  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::necks});
-  plan.choice = CalibrationDetail::necks;
-  const Calibration found = calibrate(problem, plan);
+  const Calibration found = fitted_with(CalibrationDetail::necks, inflations(truth, {"000000111111", "100001111111"}));
   ASSERT_TRUE(found.details().contains(CalibrationDetail::necks));
   ASSERT_EQ(found.steps.size(), 2U);
   EXPECT_TRUE(found.steps[0].fit.residuals[1].empty()) << "necks take no part in other fits";
@@ -167,11 +172,7 @@ TEST(Calibration, FindsHowFarPlatesStandOutWhereLimbsLeaveThem) {
 }
 
 TEST(Calibration, LeavesElbowsAsTheyAreWhereNoCurveHasOne) {
-  CalibrationProblem problem = samples::problem(inflations(alike_walls(), {"111000000000"}));
-  problem.responder = equilibrium_responder();
-  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::elbows});
-  plan.choice = CalibrationDetail::elbows;
-  const Calibration found = calibrate(problem, plan);
+  const Calibration found = fitted_with(CalibrationDetail::elbows, inflations(alike_walls(), {"111000000000"}));
   ASSERT_TRUE(found.details().contains(CalibrationDetail::elbows));
   EXPECT_EQ(found.fit().parameters.elbow_ratio, 0.0);
 }
@@ -179,11 +180,7 @@ TEST(Calibration, LeavesElbowsAsTheyAreWhereNoCurveHasOne) {
 TEST(Calibration, FindsHowFarElbowsOpen) {
   SurrogateParameters truth = alike_walls();
   truth.elbow_ratio = 2.2;
-  CalibrationProblem problem = samples::problem(inflations(truth, {"111100000000", "111000100000"}));
-  problem.responder = equilibrium_responder();
-  CalibrationPlan plan = plan_of({CalibrationDetail::uniform, CalibrationDetail::elbows});
-  plan.choice = CalibrationDetail::elbows;
-  const Calibration found = calibrate(problem, plan);
+  const Calibration found = fitted_with(CalibrationDetail::elbows, inflations(truth, {"111100000000", "111000100000"}));
   ASSERT_TRUE(found.details().contains(CalibrationDetail::elbows));
   EXPECT_LT(found.fit().chi2, 1e-3);
   EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 1);
