@@ -113,9 +113,9 @@ TEST(LoadCaseResponse, OfInflationBulgesATeeNoWiderThanItsArms) {
 }
 
 // Volumes at 6 kPa by finite elements (Q2/P1, one through the wall, Dragon Skin 10) of bodies in which arms and squares of cells
-// meet, none of which a calibration has seen. They are known to 5 %, as all curves of the fit. Straight arms bulge too little in the
-// fit itself, where the volume of a bar is 13 % low at this pressure, so the T has a wider tolerance; where four arms meet a wall
-// also spans more than in the bend that stands in for it.
+// meet, none of which a calibration has seen. They are known to 5 %, as all curves of the fit. Straight arms bulge too little in
+// the fit itself, where the volume of a bar is 13 % low at this pressure, so the T has a wider tolerance; where four arms meet a
+// wall also spans more than in the bend that stands in for it.
 TEST(LoadCaseResponse, OfFeetHasTheVolumeThatFiniteElementsFind) {
   struct Foot {
     const char* digits;
