@@ -5,6 +5,7 @@
 
 #include "io/shown/shown_quantity.h"
 #include "io/study/installed_folders.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/joined_text.h"

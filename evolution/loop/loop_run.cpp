@@ -12,7 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "evolution/loop/loop_findings.h"
+#include "evolution/findings/contact_verdict.h"
+#include "evolution/findings/loop_verdict.h"
+#include "evolution/findings/pressure_verdict.h"
+#include "evolution/findings/stage_finding.h"
 #include "evolution/loop/loop_forecast.h"
 #include "evolution/loop/loop_stages.h"
 #include "evolution/loop/loop_state.h"

@@ -91,10 +91,10 @@ std::string named_law(const materials::SourcedLaw& sourced) {
   return std::string(materials::name_of(sourced.law)) + ", " + sourced.source.substr(0, end);
 }
 
-/// The keys of robot.toml that mean a law of the record: "law_name = "ogden1"", with law_variant where the record has several.
-std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
+/// Which of the laws of one name in a record a law is, as law_variant counts them; nothing if its name is the only one.
+std::optional<std::size_t> variant_of(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
   const std::string line = materials::law_line(law.law);
-  if (materials::law_line(record.recommended.law) == line) return "without law_name";
+  if (materials::law_line(record.recommended.law) == line) return std::nullopt;
   std::size_t variant = 0;
   std::size_t count = 0;
   for (const materials::SourcedLaw& other : record.others) {
@@ -102,16 +102,25 @@ std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeR
     ++count;
     if (variant == 0 && materials::law_line(other.law) == line) variant = count;
   }
-  const std::string name = "law_name = \"" + std::string(materials::name_of(law.law)) + "\"";
-  return count == 1 ? name : name + ", law_variant = " + std::to_string(variant);
+  return count == 1 ? std::nullopt : std::optional(variant);
+}
+
+/// ", law_variant = 2"; empty where a law needs none
+std::string variant_text(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
+  const auto variant = variant_of(law, record);
+  return variant ? ", law_variant = " + std::to_string(*variant) : "";
+}
+
+/// The keys of robot.toml that mean a law of the record: "law_name = "yeoh", law_variant = 2"
+std::string keys_of(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
+  if (materials::law_line(record.recommended.law) == materials::law_line(law.law)) return "without law_name";
+  return "law_name = \"" + std::string(materials::name_of(law.law)) + "\"" + variant_text(law, record);
 }
 
 }  // namespace
 
 std::string law_text(const materials::SourcedLaw& law, const materials::SiliconeRecord& record) {
-  const std::string keys = keys_of(law, record);
-  const std::size_t variant = keys.find(", law_variant");
-  return named_law(law) + (variant == std::string::npos ? "" : keys.substr(variant));
+  return named_law(law) + variant_text(law, record);
 }
 
 std::vector<materials::SourcedLaw> other_laws_of(const Robot& robot) {

@@ -1,0 +1,147 @@
+#include "evolution/findings/walk_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "evolution/findings/found_walk.h"
+#include "evolution/findings/result_files.h"
+#include "io/shown/shown_quantity.h"
+#include "io/text/formatted.h"
+#include "meshes/load_cases/walk_agreement.h"
+
+namespace menger::evolution {
+
+namespace fs = std::filesystem;
+
+using io::millimetres;
+using io::percents;
+
+namespace {
+
+meshes::WalkAgreement agreement(const FoundWalk& one, const FoundWalk& other) {
+  const auto outcome = [](const FoundWalk& walk) {
+    return meshes::WalkOutcome{walk.fell_s ? 0.0 : walk.body_lengths, walk.time_s, walk.direction_deg()};
+  };
+  return meshes::compare_walks(outcome(one), outcome(other));
+}
+
+bool agree(const FoundWalk& one, const FoundWalk& other) {
+  return agreement(one, other) <= meshes::WalkAgreement::both_go_nowhere;
+}
+
+/// Walks of one duration differ in time by a few steps at most.
+bool are_as_long(const FoundWalk& one, const FoundWalk& other) {
+  constexpr double largest_share = 0.01;
+  return std::abs(one.time_s - other.time_s) <= largest_share * std::max(one.time_s, other.time_s);
+}
+
+/// Whether a body got somewhere on its feet.
+bool is_walk(const FoundWalk& walk) { return !walk.fell_s && walk.body_lengths >= meshes::walk_limits::least_body_lengths; }
+
+/// "67 mm and 70 mm, 3 degrees apart". @pre not both go nowhere
+std::string both(const FoundWalk& one, const FoundWalk& other) {
+  const std::string distances = millimetres(one.distance_m()) + " and " + millimetres(other.distance_m());
+  if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere)
+    return distances + ", of which the " + (is_walk(one) ? "second" : "first") +
+           (one.fell_s || other.fell_s ? " is a fall" : " is no walk");
+  const std::string angle = io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg()));
+  return distances + ", " + angle + (angle == "1" ? " degree apart" : " degrees apart");
+}
+
+/// Whether a robot, and what drives its cells, is its own mirror image in a plane across one of the axes x and y, so that it has
+/// no reason to go one way along this axis rather than the other.
+bool is_mirror_image(const meshes::Robot& robot, bool is_across_x) {
+  const meshes::Polycube& body = robot.design.body;
+  const bool has_phases = robot.drive == meshes::RobotDrive::antiphase;
+  const auto same = [&](std::uint8_t a, std::uint8_t b) {
+    return has_phases ? a == b : (a == meshes::empty) == (b == meshes::empty);
+  };
+  for (const meshes::CellIndex& cell : body.occupied()) {
+    const meshes::CellIndex mirrored{is_across_x ? body.nx() - 1 - cell.x : cell.x, is_across_x ? cell.y : body.ny() - 1 - cell.y,
+                                     cell.z};
+    if (!same(body.at_or_empty(cell), body.at_or_empty(mirrored))) return false;
+  }
+  return true;
+}
+
+/// Whether walks agree in direction, and not in distance.
+bool have_one_direction(const FoundWalk& one, const FoundWalk& other) {
+  return agreement(one, other) != meshes::WalkAgreement::one_goes_nowhere &&
+         meshes::angle_between(one.direction_deg(), other.direction_deg()) <= meshes::walk_limits::same_direction_deg;
+}
+
+std::string mesh_verdict(const FoundWalk& coarser, const FoundWalk& finer, const meshes::Robot& robot) {
+  if (!are_as_long(coarser, finer)) return "Its walks on two meshes last differently long and are not compared.";
+  if (coarser.fell_s && finer.fell_s) return "It falls over on finite elements of two meshes: it does not walk.";
+  if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere) {
+    return "It does not walk on finite elements of two meshes: it ends within " +
+           percents(meshes::walk_limits::least_body_lengths) + " of its length from where it began" +
+           (robot.evolves ? "; the search has found no walker: give it more generations or mutants ([search])." : ".");
+  }
+  const std::string on_meshes = " on finite elements of two meshes";
+  if (agree(coarser, finer)) return "Finite elements of two meshes agree on the walk: " + both(coarser, finer) + ".";
+  if (agreement(coarser, finer) == meshes::WalkAgreement::one_goes_nowhere) {
+    const FoundWalk& none = is_walk(coarser) ? finer : coarser;
+    return "Whether it walks is not known: it moves " + millimetres(coarser.distance_m()) + " and " +
+           millimetres(finer.distance_m()) + on_meshes + ", and " + millimetres(none.distance_m()) +
+           (none.fell_s ? " is a fall." : " is no walk.");
+  }
+  if (have_one_direction(coarser, finer))
+    return "The direction of its walk is known, its distance is not: " + both(coarser, finer) + on_meshes + ".";
+  const bool is_symmetric = is_mirror_image(robot, std::abs(finer.x_m) >= std::abs(finer.y_m));
+  return "How it walks is not known: " + both(coarser, finer) + on_meshes + ". Chance decides such a walk" +
+         (is_symmetric ? "; a body that differs from its mirror image walks more surely." : ".");
+}
+
+std::string model_verdict(const FoundWalk& voxels, const FoundWalk& elements) {
+  if (!are_as_long(voxels, elements)) return "The walks of both models last differently long and are not compared.";
+  if (agreement(voxels, elements) == meshes::WalkAgreement::both_go_nowhere)
+    return "It walks in neither model, so that the surrogate cannot be judged by its walk.";
+  return (agree(voxels, elements) ? "The surrogate walks as finite elements do: "
+                                  : "The surrogate does not walk as finite elements do: ") +
+         both(voxels, elements) + " (surrogate and finite elements).";
+}
+
+/// What the walk of the surrogate is worth where finite elements of two meshes do not agree on theirs.
+std::string unknown_walk_verdict(const FoundWalk& voxels, const FoundWalk& coarser, const FoundWalk& finer) {
+  const std::string distance = millimetres(voxels.distance_m());
+  if (voxels.fell_s) return "";  // told already
+  if (!have_one_direction(coarser, finer) || !are_as_long(voxels, finer))
+    return "So the walk of the surrogate, " + distance + ", cannot be judged.";
+  if (have_one_direction(voxels, finer))
+    return "The surrogate goes that way, too; its distance, " + distance + ", cannot be judged.";
+  return model_verdict(voxels, finer);
+}
+
+}  // namespace
+
+std::vector<std::string> walk_verdict(const fs::path& results, const meshes::Robot& robot, const std::set<std::string>& stages) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) {
+    if (!line.empty()) lines.push_back(line);
+  };
+  const auto walk_of = [&](const std::string& stage, const std::string& file, const std::string& model) {
+    const auto result = stages.contains(stage) ? table_at(results / stage / file) : std::nullopt;
+    if (!result) return std::optional<FoundWalk>();
+    const std::string end = early_end(*result);
+    if (end.empty()) {
+      const std::optional<FoundWalk> walk = walk_in(results / stage / file, *result, robot);
+      if (walk && walk->fell_s) lines.push_back("The body " + fall_text(*walk) + " in the walk " + model + ": this is no walk.");
+      return walk;
+    }
+    lines.push_back("The walk " + model + " ended early and is not compared (" + end + ").");
+    return std::optional<FoundWalk>();
+  };
+  const auto voxels = walk_of("simulate", "result.toml", "of the surrogate");
+  const auto elements = walk_of("locomote", "locomotion.toml", "on finite elements");
+  const auto finer = walk_of("locomote_finer", "locomotion.toml", "on finite elements of the finer mesh");
+  if (elements && finer) add(mesh_verdict(*elements, *finer, robot));
+  const bool is_known = !elements || !finer || agree(*elements, *finer);
+  if (voxels && !is_known) add(unknown_walk_verdict(*voxels, *elements, *finer));
+  if (const auto& reference = finer ? finer : elements; voxels && reference && is_known) add(model_verdict(*voxels, *reference));
+  return lines;
+}
+
+}  // namespace menger::evolution
