@@ -19,6 +19,7 @@
 #include "io/process/study_help.h"
 #include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
+#include "meshes/robot/command_study.h"
 
 namespace {
 
@@ -89,6 +90,7 @@ void print(const TradeStudy& study, const TradeResult& result, const fs::path& f
 }
 
 int trade(Arguments& arguments) {
+  menger::meshes::refuse_robot_file(arguments.search.empty() ? arguments.study : arguments.search);
   const TradeStudy study = read(arguments);
   if (arguments.folder.empty()) arguments.folder = study.file.stem();
   const io::RunFolder folder("menger-tradeoff", arguments.folder);

@@ -21,6 +21,7 @@
 #include "io/study/installed_folders.h"
 #include "io/study/study_text.h"
 #include "io/text/whole_file.h"
+#include "meshes/robot/command_study.h"
 
 namespace {
 
@@ -96,6 +97,7 @@ void write(const Arguments& arguments, const fem::StallMapStudy& study, const fe
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
+  menger::meshes::refuse_robot_file(arguments.study);
   const fem::StallMapStudy study = fem::read_stall_map_study(arguments.study);
   if (study.walker) static_cast<void>(io::program_in(arguments.programs, "menger-simulate"));  // before any file is overwritten
   if (arguments.folder.empty()) arguments.folder = arguments.study.stem();

@@ -36,7 +36,7 @@ CommandStudy command_study(const fs::path& given, RobotStudy study) {
 
 void refuse_robot_file(const fs::path& given) {
   if (is_robot_file(given))
-    throw io::InputError(given.string() + ": is the file of a robot, not a study of this command: menger loop " + given.string() +
+    throw io::InputError(given.string() + ": is the file of a robot, not a study of this command (--template prints one): menger loop " + given.string() +
                          " runs all stages that it asks for");
 }
 
