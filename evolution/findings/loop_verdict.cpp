@@ -2,6 +2,7 @@
 
 #include "evolution/findings/contact_verdict.h"
 #include "evolution/findings/pressure_verdict.h"
+#include "evolution/findings/search_result.h"
 #include "evolution/findings/shape_result.h"
 #include "evolution/findings/walk_verdict.h"
 #include "io/text/input_error.h"
@@ -24,6 +25,7 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     if (is_inflated && is_validated) add(elements_verdict(results, robot));
     if (is_validated) add(shape_verdict(results));
     for (const std::string& line : walk_verdict(results, robot, stages)) add(line);
+    if (stages.contains("evolve")) add(search_verdict(results, robot));
   } catch (const io::InputError&) {
     lines.emplace_back("Some results cannot be read; run the loop again.");
   }

@@ -7,13 +7,15 @@
 
 namespace menger::evolution {
 
-std::string pressure_of_key(double pressure_Pa) {
+double rounded_to_rest_Pa(double pressure_Pa) {
   constexpr double digits = 3.0;
   const double step_Pa =
       std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(std::abs(pressure_Pa), 1.0))) - digits + 1.0));
   const double rounding = 1e-9;
   const double steps = std::floor(std::abs(pressure_Pa) / step_Pa + rounding);
-  return io::formatted("%.0f Pa", std::copysign(steps * step_Pa, pressure_Pa));
+  return std::copysign(steps * step_Pa, pressure_Pa);
 }
+
+std::string pressure_of_key(double pressure_Pa) { return io::formatted("%.0f Pa", rounded_to_rest_Pa(pressure_Pa)); }
 
 }  // namespace menger::evolution

@@ -66,7 +66,8 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa, const std
          (is_by_one_law ? " by its law (" + meshes::law_text(robot.law, robot.record) + "), " +
                               (drive_Pa > softest->limit_Pa ? "not" : "hardly") + " by the softest of its silicone"
                         : "") +
-         ": safe up to " + kilopascals(safe_Pa) + ", 20 % below the " + between + " at which it balloons" + where + ".";
+         ": safe up to " + kilopascals(rounded_to_rest_Pa(safe_Pa)) + ", 20 % below the " + between + " at which it balloons" +
+         where + ".";
 }
 
 /// What the softest law of its silicone says of a drive; empty where the robot has that law.
@@ -77,7 +78,7 @@ std::string softest_verdict(const meshes::Robot& robot, double limit_Pa) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const double safe_Pa = meshes::largest_safe_share * softest->limit_Pa;
   const std::string begin = "By the softest law of its silicone (" + softest->text + ") it ";
-  if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(safe_Pa) + ".";
+  if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(rounded_to_rest_Pa(safe_Pa)) + ".";
   const std::string test = ": test the silicone that you cast, or " + lower_to(safe_Pa) + ".";
   if (drive_Pa > softest->limit_Pa) return begin + "balloons near " + kilopascals(softest->limit_Pa) + test;
   return begin + "is near ballooning, " + percents(drive_Pa / softest->limit_Pa) + " of " + kilopascals(softest->limit_Pa) + test;

@@ -8,6 +8,7 @@
 #include "evolution/findings/inflation_result.h"
 #include "evolution/findings/limit_result.h"
 #include "evolution/findings/result_files.h"
+#include "evolution/findings/search_result.h"
 #include "evolution/findings/shape_result.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
@@ -64,13 +65,6 @@ std::string export_text(const fs::path& results) {
   return "the best robot has " + std::to_string(meshes::read_design(champion).body.count()) + " cells; export/champion.toml";
 }
 
-std::string evolve_text(const fs::path& log) {
-  const std::string note = "note: ";
-  const std::string refused = log_line(log, note + "finite elements refused ");
-  const std::string champion = log_line(log, "Champion: ");  // with its walks on other elements, which the log is for
-  return champion.substr(0, champion.find(';')) + (refused.empty() ? "" : "; " + refused.substr(note.size()));
-}
-
 std::string finding_of(const std::string& stage, const fs::path& results, const meshes::Robot& robot) {
   if (stage == "mesh") return mesh_text(results);
   if (stage == "inflate") return inflation_text(results, robot);
@@ -80,7 +74,7 @@ std::string finding_of(const std::string& stage, const fs::path& results, const 
   if (stage == "validate") return shape_text(results, robot);
   if (stage == "simulate") return walk_text(results / "simulate/result.toml", robot);
   if (stage == "locomote" || stage == "locomote_finer") return walk_text(results / stage / "locomotion.toml", robot);
-  if (stage == "evolve") return evolve_text(results / "logs/evolve.txt");
+  if (stage == "evolve") return search_text(results);
   if (stage == "export") return export_text(results);
   if (stage == "reevaluate") return "ranking in reevaluate/reevaluation.csv";
   return "";

@@ -46,8 +46,7 @@ std::string both(const FoundWalk& one, const FoundWalk& other) {
   if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere)
     return distances + ", of which the " + (is_walk(one) ? "second" : "first") +
            (one.fell_s || other.fell_s ? " is a fall" : " is no walk");
-  const std::string angle = io::formatted("%.0f", meshes::angle_between(one.direction_deg(), other.direction_deg()));
-  return distances + ", " + angle + (angle == "1" ? " degree apart" : " degrees apart");
+  return distances + ", " + io::degrees(meshes::angle_between(one.direction_deg(), other.direction_deg())) + " apart";
 }
 
 /// Whether a robot, and what drives its cells, is its own mirror image in a plane across one of the axes x and y, so that it has
@@ -108,6 +107,9 @@ std::string model_verdict(const FoundWalk& voxels, const FoundWalk& elements) {
 std::string unknown_walk_verdict(const FoundWalk& voxels, const FoundWalk& coarser, const FoundWalk& finer) {
   const std::string distance = millimetres(voxels.distance_m());
   if (voxels.fell_s) return "";  // told already
+  if (!is_walk(voxels))
+    return "The surrogate does not walk: it ends within " + percents(meshes::walk_limits::least_body_lengths) +
+           " of its length from where it began.";
   if (!have_one_direction(coarser, finer) || !are_as_long(voxels, finer))
     return "So the walk of the surrogate, " + distance + ", cannot be judged.";
   if (have_one_direction(voxels, finer))

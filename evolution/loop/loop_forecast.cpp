@@ -90,6 +90,7 @@ std::string fast_drive_note(const meshes::Robot& robot) {
 std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
   const fs::path file = parameters_of(robot, places);
   std::vector<std::string> lines{law_summary_of(robot), source_text(robot, file)};
+  for (const std::string& note : robot.notes) lines.push_back("note: " + note);
   for (const std::string& note : {other_law_note(robot), thick_wall_note(robot), fast_drive_note(robot)}) {
     if (!note.empty()) lines.push_back(note);
   }

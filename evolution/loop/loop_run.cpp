@@ -140,6 +140,7 @@ class LoopRun {
     io::require_writable_folder(places_.results / "logs");
     const io::FileLock lock(places_.results / "loop");
     state_.emplace(places_.results / loop_state_name);
+    refuse_other_robot();
     tell_plan();
     io::ask_for_progress(told_file());
     int code = io::exit_code::done;
@@ -200,11 +201,24 @@ class LoopRun {
                            ", which no loop has made and this one would replace: name another folder, or remove them");
   }
 
+  /// Refuses a folder with the results of another robot that is still there: they would be replaced one by one.
+  void refuse_other_robot() {
+    const fs::path file = fs::absolute(request_.robot).lexically_normal();
+    const fs::path own = file.lexically_relative(places_.results);  // so that a copy of robot and results keeps them
+    const fs::path other = (places_.results / state_->robot()).lexically_normal();
+    if (!state_->robot().empty() && state_->robot() != own && io::is_file(other))
+      throw io::InputError(shown(places_.results) + ": has the results of " + shown(other) +
+                           ", which this loop would replace: name another folder with -o, as in -o " +
+                           shown(file.parent_path() / (file.stem().string() + "_results")));
+    state_->set_robot(own);
+  }
+
   void tell_plan() {
     out_ << meshes::summary_of(robot_) << "; results in " << shown(places_.results) << '\n';
     meshes::Robot body = robot_;
     meshes::take_champion(body, places_);
-    for (const std::string& line : loop_forecast(body, places_)) out_ << line << '\n';
+    forecast_ = loop_forecast(body, places_);
+    for (const std::string& line : forecast_) out_ << line << '\n';
     for (const std::string& change : robot_changes(places_.results / "manifest.json", io::described_text(robot_)))
       out_ << "changed since the last finished run: " << change << '\n';
     out_ << std::flush;
@@ -531,7 +545,7 @@ class LoopRun {
 
   /// Leaves what came out for the report.
   void note_verdict() {
-    LoopVerdict noted{.lines = verdict()};
+    LoopVerdict noted{.lines = verdict(), .forecast = forecast_};
     if (current_.contains("limit")) noted.softest_limit_Pa = softest_limit_Pa(places_.results, robot_);
     for (const LoopStage& stage : stages_) {
       if (stage.program == "menger-report") continue;
@@ -585,6 +599,7 @@ class LoopRun {
   bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
   std::string earlier_time_{};                 ///< that the stage took before; empty if it never ended
   double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
+  std::vector<std::string> forecast_;          ///< the first lines: what is to be expected of this robot
   std::optional<std::vector<std::string>> verdict_;  ///< once all stages before the report have ended
   bool is_body_refused_ = false;                     ///< by menger mesh, in this call
 };

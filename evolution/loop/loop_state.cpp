@@ -3,7 +3,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <utility>
 
 #include "io/text/input_error.h"
 #include "io/text/version.h"
@@ -52,6 +51,7 @@ LoopState::LoopState(std::filesystem::path file) : file_(std::move(file)) {
   const std::string text = io::read_whole(file_);
   try {
     const json whole = json::parse(text);
+    robot_ = whole.value("robot", "");
     for (const auto& [name, stage] : whole.at("stages").items()) {
       stages_[name] = {.status = status_of(stage.at("status").get<std::string>()),
                        .key = stage.at("key").get<std::string>(),
@@ -94,7 +94,7 @@ void LoopState::write() const {
                     {"files", record.files},
                     {"takes_over", record.takes_over}};
   }
-  const json whole{{"program", "menger-loop"}, {"version", io::version()}, {"stages", stages}};
+  const json whole{{"program", "menger-loop"}, {"version", io::version()}, {"robot", robot_.string()}, {"stages", stages}};
   io::write_whole(file_, whole.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 

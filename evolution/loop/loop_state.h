@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace menger::evolution {
@@ -40,6 +41,12 @@ class LoopState {
   /// Reads the state; empty if there is no file. @throws io::InputError naming the file if it cannot be read
   explicit LoopState(std::filesystem::path file);
 
+  /// The file of the robot whose stages these are, counted from the folder of the results; empty if that is not known.
+  [[nodiscard]] const std::filesystem::path& robot() const { return robot_; }
+
+  /// Notes of which robot the stages are; written with the next stage.
+  void set_robot(std::filesystem::path file) { robot_ = std::move(file); }
+
   /// @return nothing is known: null
   [[nodiscard]] const StageRecord* find(const std::string& stage) const;
 
@@ -53,6 +60,7 @@ class LoopState {
   void write() const;
 
   std::filesystem::path file_;
+  std::filesystem::path robot_;
   std::map<std::string, StageRecord> stages_;
 };
 

@@ -22,6 +22,7 @@ void write_loop_verdict(const fs::path& results, const LoopVerdict& verdict) {
   nlohmann::json whole{{"program", "menger-loop"},
                        {"version", io::version()},
                        {"came_out", verdict.lines},
+                       {"forecast", verdict.forecast},
                        {"manifests_sha256", verdict.results},
                        {"left_behind", verdict.left_behind}};
   if (verdict.softest_limit_Pa) whole["softest_limit_Pa"] = *verdict.softest_limit_Pa;
@@ -35,6 +36,7 @@ std::optional<LoopVerdict> read_loop_verdict(const fs::path& results) {
   try {
     const nlohmann::json whole = nlohmann::json::parse(text);
     LoopVerdict verdict{.lines = whole.at("came_out").get<std::vector<std::string>>(),
+                        .forecast = whole.value("forecast", std::vector<std::string>()),
                         .results = whole.at("manifests_sha256").get<std::map<std::string, std::string>>(),
                         .left_behind = whole.at("left_behind").get<std::map<std::string, std::string>>()};
     if (whole.contains("softest_limit_Pa")) verdict.softest_limit_Pa = whole.at("softest_limit_Pa").get<double>();

@@ -151,6 +151,8 @@ ValidationFacts validation_facts(const CommandOutput& output) {
   if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
+    // As with medians: those outside the range of validity tell only where nothing was compared inside.
+    if (facts.displacement && signs.has("range") && text_in(signs, row, "range") != "inside") continue;
     facts.signs += count_in(signs, row, "count");
     const std::size_t wrong = count_in(signs, row, "wrong");
     facts.wrong_signs += wrong;

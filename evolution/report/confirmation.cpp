@@ -81,7 +81,7 @@ std::string walk_text(const Confirmation& walk) {
   const std::string elements = " on " + std::string(to_string(walk.fidelity)) + " elements";
   if (!walk.score) return "no walk" + elements + " (" + walk.reason + ")";
   std::string text = io::formatted("%.4f", walk.along.value_or(*walk.score)) + elements;
-  if (walk.angle_deg) text += " (turned by " + io::formatted("%.0f", *walk.angle_deg) + " degrees)";
+  if (walk.angle_deg) text += " (turned by " + io::degrees(*walk.angle_deg) + ")";
   return text;
 }
 
@@ -237,7 +237,7 @@ std::string confirmation_text(const Study& study, const std::vector<Confirmation
             io::formatted("%.4f", one.design.fitness) + " in the search, ";
     text += one.score ? io::formatted("%.4f", *one.score) : std::string("none");
     text += " on " + std::string(to_string(one.fidelity)) + " elements";
-    if (one.angle_deg) text += ", turned by " + io::formatted("%.0f", *one.angle_deg) + " degrees";
+    if (one.angle_deg) text += ", turned by " + io::degrees(*one.angle_deg);
     if (!one.reason.empty()) text += " (" + one.reason + ")";
     text += "\n";
   }

@@ -114,9 +114,9 @@ int run(int argc, const char* const* argv, bool speaks) {
   if (code) return *code;
   fem::InflationStudy study;
   fem::on_every_rank(MPI_COMM_WORLD, [&] {
-    const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::inflate);
+    const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::inflate, arguments.folder);
     arguments.study = command.study;
-    if (arguments.folder.empty()) arguments.folder = command.folder;
+    arguments.folder = command.folder;
     study = fem::read_inflation_study(arguments.study);
   });
   if (arguments.no_pictures) study.output.pictures = false;

@@ -113,9 +113,9 @@ int exit_code_of(const std::vector<fem::CaseOutcome>& outcomes) {
 
 /// Reads the set, with the cases that are asked for alone.
 fem::LoadCaseStudy study_of(Arguments& arguments) {
-  const meshes::CommandStudy command = meshes::command_study(arguments.set, meshes::RobotStudy::load_cases);
+  const meshes::CommandStudy command = meshes::command_study(arguments.set, meshes::RobotStudy::load_cases, arguments.folder);
   arguments.set = command.study;
-  if (arguments.folder.empty()) arguments.folder = command.folder;
+  arguments.folder = command.folder;
   fem::LoadCaseStudy study = fem::read_load_case_study(arguments.set);
   keep_only(study, arguments.only);
   return study;

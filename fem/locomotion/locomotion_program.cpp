@@ -152,9 +152,9 @@ int locomotion_program(int argc, const char* const* argv, const LocomotionMethod
   if (const auto code = parse(argc, argv, arguments)) return *code;
   LocomotionStudy study;
   method.on_every_process([&] {
-    const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::locomote);
+    const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::locomote, arguments.folder);
     arguments.study = command.study;
-    if (arguments.folder.empty()) arguments.folder = command.folder;
+    arguments.folder = command.folder;
     study = read_locomotion_study(arguments.study);
   });
   if (study.implicit.has_value() != method.is_implicit) return method.pass_on(arguments.study);

@@ -9,7 +9,7 @@ namespace {
 
 /// Nobody means less: what rounding leaves of nothing is told as nothing.
 constexpr double least_length_m = 1e-8;
-constexpr double least_body_lengths = 1e-6;
+constexpr double least_body_lengths = 1e-4;
 
 }  // namespace
 
@@ -22,6 +22,11 @@ std::string millimetres(double length_m, int digits) {
 std::string percents(double fraction) {
   const double percent = 100.0 * fraction;
   return formatted(std::abs(percent) < 9.95 ? "%.2g %%" : "%.0f %%", percent);
+}
+
+std::string degrees(double angle_deg) {
+  const std::string text = formatted("%.0f", std::round(angle_deg) + 0.0);
+  return text + (text == "1" ? " degree" : " degrees");
 }
 
 std::string body_lengths(double number) {

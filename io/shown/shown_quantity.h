@@ -15,7 +15,10 @@ std::string millimetres(double length_m, int digits = 3);
 /// "6.6 %", "127 %": two significant digits, and all of those before the point.
 std::string percents(double fraction);
 
-/// "0.32 body lengths", "1 body length": two significant digits; less than 1e-6 is told as 0.
+/// "3 degrees", "1 degree": in whole ones.
+std::string degrees(double angle_deg);
+
+/// "0.32 body lengths", "1 body length": two significant digits; less than 1e-4 is told as 0.
 std::string body_lengths(double number);
 
 }  // namespace menger::io

@@ -18,7 +18,9 @@ std::size_t cell_count(int nx, int ny, int nz) {
 Polycube::Polycube(int nx, int ny, int nz) : size_{nx, ny, nz}, cells_(cell_count(nx, ny, nz), empty) {}
 
 Polycube Polycube::from_digits(int nx, int ny, int nz, const std::string& digits) {
-  if (digits.size() != cell_count(nx, ny, nz)) throw std::invalid_argument("a polycube needs one digit per cell");
+  if (digits.size() != cell_count(nx, ny, nz))
+    throw std::invalid_argument("a polycube needs one digit per cell: " + std::to_string(digits.size()) + " for " +
+                                std::to_string(cell_count(nx, ny, nz)) + " cells");
   Polycube body(nx, ny, nz);
   std::transform(digits.begin(), digits.end(), body.cells_.begin(), [](char digit) {
     if (digit < '0' || digit > '0' + largest_material) throw std::invalid_argument("the digits of a polycube are 0, 1 and 2");

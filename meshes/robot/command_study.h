@@ -15,8 +15,9 @@ struct CommandStudy {
 /// Returns the study of a command that was given a file. A study is used as it is; its folder has its name. From a robot
 /// (is_robot_file) the study is derived and written where `menger loop` has it; so is the folder. If a search finds the body, it
 /// is that of the search's champion.
-/// @throws io::InputError if the robot is wrong, has no such study, or has no body yet
-CommandStudy command_study(const std::filesystem::path& given, RobotStudy study);
+/// @param output the folder that the user names, which takes the studies of a robot, too; empty: none
+/// @throws io::InputError if the robot is wrong, has no such study, has no body yet, or needs a fit that has not been made
+CommandStudy command_study(const std::filesystem::path& given, RobotStudy study, const std::filesystem::path& output = {});
 
 /// Refuses the file of a robot, for commands that have no study of it.
 /// @throws io::InputError if the file is that of a robot

@@ -77,6 +77,7 @@ struct Robot {
   std::optional<std::filesystem::path> parameters{};  ///< of voxels, given by the user
   bool fits_anew = false;                             ///< whether parameters that come with menger are left aside
   std::optional<RobotSearch> search{};
+  std::vector<std::string> notes{};  ///< what its file says in vain, or may not mean, for people
 
   [[nodiscard]] bool has_body() const { return design.body.count() > 0; }
   /// Distance between the walls of a cell, m.

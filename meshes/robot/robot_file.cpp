@@ -6,6 +6,7 @@
 
 #include "io/study/installed_folders.h"
 #include "io/study/study_reader.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/joined_text.h"
@@ -24,6 +25,12 @@ namespace fs = std::filesystem;
 
 /// No cell of a robot is as large; who states more has written millimetres.
 constexpr double largest_cell_edge_m = 0.5;
+
+/// Walls down to this share of the edge of a cell have been tested.
+constexpr double thinnest_wall_share = 0.02;
+
+/// No walk is as long; who states more has written milliseconds.
+constexpr double longest_walk_s = 3600.0;
 
 /// Cells that a message names.
 constexpr std::size_t named_cells = 4;
@@ -52,13 +59,22 @@ std::string cells_apart(const Polycube& body, std::string_view key) {
   return text + (count == 1 ? " is" : " are");
 }
 
-/// Refuses lengths in other units, and a body that cannot be cast as one.
+/// Refuses lengths in other units, walls that are too thin, and a body that cannot be cast as one.
 void check_body(const Robot& robot, const io::TomlTable& table) {
   if (robot.design.cell_edge_m > largest_cell_edge_m) {
     const std::string reason =
         "is more than " + io::number_text(largest_cell_edge_m) + " m: lengths are in metres, 12 mm are 0.012";
     if (table.has("cell_edge_m")) throw table.error("cell_edge_m", reason);
     throw table.error("file", "its cell_edge_m " + reason);
+  }
+  const double thinnest_m = thinnest_wall_share * robot.design.cell_edge_m;
+  if (robot.wall_thickness_m < thinnest_m) {
+    const std::string reason = "must be at least " + io::number_text(thinnest_wall_share) + " of cell_edge_m, " +
+                               io::number_text(thinnest_m) + ": thinner walls have not been tested (lengths are in metres)";
+    if (table.has("wall_thickness_m")) throw table.error("wall_thickness_m", reason);
+    throw table.error(
+        table.has("cell_edge_m") ? "cell_edge_m" : "file",
+        "is too large for wall_thickness_m, which is " + io::number_text(robot.wall_thickness_m) + " if not given and " + reason);
   }
   if (!robot.has_body()) return;
   const std::string_view key = robot.design_file ? "file" : table.has("digits") ? "digits" : "layers";
@@ -206,6 +222,42 @@ void describe_search(io::StudyVisitor& visitor, RobotSearch& search) {
   visitor.integer({"seed", "Seed of the random numbers."}, search.seed, io::non_negative());
 }
 
+bool has_key(const io::TomlTable& top, std::string_view table, std::string_view key) {
+  return top.has(table) && top.unasked().table(table).unasked().has(key);
+}
+
+/// What the file of a robot says in vain, or may not mean.
+std::vector<std::string> notes_of(const Robot& robot, const io::TomlTable& top) {
+  std::vector<std::string> notes;
+  const bool is_held = robot.drive == RobotDrive::hold;
+  if (is_held && has_key(top, "drive", "frequency_Hz"))
+    notes.emplace_back("drive.frequency_Hz has no effect: with mode = \"hold\" the pressure stays");
+  if (is_held && robot.walks)
+    notes.emplace_back(
+        "it is filled once and keeps its pressure (drive.mode = \"hold\"), so that it does not walk; for a finger or a "
+        "gripper set walk.present = false");
+  if (!robot.walks && has_key(top, "walk", "duration_s"))
+    notes.emplace_back("walk.duration_s has no effect: walk.present = false");
+  const double stroke_s = 1.0 / robot.frequency_Hz;
+  if (robot.walks && !is_held && robot.duration_s < stroke_s)
+    notes.push_back("the walk of " + io::shown(robot.duration_s) + " s ends within the first stroke, which takes " +
+                    io::shown(stroke_s) + " s and in which the drive only grows: raise walk.duration_s or drive.frequency_Hz");
+  const Polycube& body = robot.design.body;
+  const auto has = [&](Material material) {
+    return std::ranges::any_of(body.occupied(), [&](const CellIndex& place) { return body.at(place) == material; });
+  };
+  if (robot.chambers == ChamberLayout::single && robot.has_body() && has(1) && has(2))
+    notes.emplace_back(
+        "digits 1 and 2 mean the same here: with chambers = \"single\" all cells share one chamber, and one pressure");
+  if (robot.search && !robot.evolves)
+    notes.emplace_back(
+        "[search] looks for another body, from random ones; the stages up to the walks compute the body of this file");
+  if (robot.search && !robot.walks) notes.emplace_back("[search] lets its robots walk, although walk.present = false");
+  if (robot.design_file && has_key(top, "robot", "cell_edge_m"))
+    notes.push_back("robot.cell_edge_m, " + io::shown(robot.design.cell_edge_m) + " m, takes the place of that in robot.file");
+  return notes;
+}
+
 }  // namespace
 
 void describe(io::StudyVisitor& visitor, Robot& robot) {
@@ -224,7 +276,8 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
         {"present",
          "Whether it is put on the ground and driven. false for a finger or a gripper: it is inflated without a ground."},
         robot.walks);
-    visitor.number({"duration_s", "Simulated time."}, robot.duration_s, io::positive());
+    visitor.number({"duration_s", "Simulated time."}, robot.duration_s,
+                   {.lowest = 0.0, .highest = longest_walk_s, .lowest_excluded = true});
     visitor.word({"fidelity",
                   "How finely walls are cut into finite elements, also where the body is inflated. The robot walks on the next "
                   "finer ones, too, to show how well "
@@ -274,6 +327,7 @@ Robot read_robot(const fs::path& file) {
       robot.law_name != materials::recommended_law_name)
     throw table.error("law_name", "a search on voxels takes the recommended law: set search.model = \"finite_elements\"");
   check_drive(robot, top);
+  robot.notes = notes_of(robot, top);
   return robot;
 }
 

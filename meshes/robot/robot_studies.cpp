@@ -387,7 +387,7 @@ std::string missing_because(const Robot& robot, RobotStudy study) {
     return "the parameters of the voxels were fitted to this very body, so it cannot test them";
   if (study == RobotStudy::limit && drive_pressure_Pa(robot)[1] <= 0.0) return "drive.pressure_Pa is nowhere above 0";
   const bool is_walk = study == RobotStudy::simulate || study == RobotStudy::locomote || study == RobotStudy::locomote_finer;
-  if (is_walk && !robot.walks) return "walk.present = false";
+  if (is_walk && !robot.walks) return "it does not walk (walk.present = false); menger inflate fills it";
   if (study == RobotStudy::locomote_finer && robot.fidelity == RobotFidelity::fine)
     return "walk.fidelity = \"fine\": there are no finer elements";
   const bool is_search = study == RobotStudy::evolve || study == RobotStudy::reevaluate;

@@ -145,9 +145,9 @@ int exit_code_of(const voxel::CalibrationRunResult& result) {
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::calibrate);
+  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::calibrate, arguments.folder);
   arguments.study = command.study;
-  if (arguments.folder.empty()) arguments.folder = command.folder;
+  arguments.folder = command.folder;
   const voxel::CalibrationStudy study = voxel::read_calibration_study(arguments.study, arguments.curves);
 
   io::Progress progress(arguments.study.stem().string(), 1.0);

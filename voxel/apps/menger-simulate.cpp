@@ -166,9 +166,9 @@ std::vector<std::string> print_expected_error(const voxel::Scene& scene, const s
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  const meshes::CommandStudy command = meshes::command_study(arguments.scene, meshes::RobotStudy::simulate);
+  const meshes::CommandStudy command = meshes::command_study(arguments.scene, meshes::RobotStudy::simulate, arguments.folder);
   arguments.scene = command.study;
-  if (arguments.folder.empty()) arguments.folder = command.folder;
+  arguments.folder = command.folder;
   auto [scene, files] = voxel::read_scene(arguments.scene, arguments.level);
   std::map<std::string, std::string> inputs;
   for (const std::filesystem::path& file : files) io::note_input(inputs, file);  // now: they may be edited during the simulation

@@ -111,9 +111,9 @@ std::map<std::string, std::string> inputs_of(const voxel::ValidationStudy& study
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::validate);
+  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::validate, arguments.folder);
   arguments.study = command.study;
-  if (arguments.folder.empty()) arguments.folder = command.folder;
+  arguments.folder = command.folder;
   voxel::ValidationStudy study = voxel::read_validation_study(arguments.study, arguments.places);
   const voxel::SurrogateParameters parameters = voxel::read_surrogate(study.parameters);
   const voxel::FitRecord record = voxel::read_fit_record(study.parameters);

@@ -30,6 +30,7 @@ std::optional<KindErrors> errors_of(const std::vector<CurveComparison>& comparis
     errors.volume_median = volume->median;
   }
   for (const SignCount& signs : count_signs(comparisons)) {
+    if (!signs.inside) continue;
     errors.signs += signs.count;
     errors.wrong_signs += signs.wrong;
   }

@@ -219,7 +219,8 @@ std::vector<std::string> report_lines(const ValidationResult& result, double aim
       "value itself");
   for (const std::string& sentence : aim_sentences(result.comparisons, aim)) lines.push_back(sentence);
   if (std::string sentence = furthest_sentence(result.comparisons); !sentence.empty()) lines.push_back(std::move(sentence));
-  lines.push_back(sign_sentence(result.comparisons));
+  for (const bool inside : {true, false})
+    if (std::string sentence = sign_sentence(result.comparisons, inside); !sentence.empty()) lines.push_back(std::move(sentence));
   if (!result.actuations.empty()) {
     lines.emplace_back("volume actuation by finite elements:");
     for (const VolumeActuation& actuation : result.actuations) {

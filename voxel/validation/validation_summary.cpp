@@ -174,12 +174,12 @@ std::vector<SignCount> count_signs(const std::vector<CurveComparison>& compariso
   std::vector<SignCount> counts;
   for (const CurveComparison& comparison : comparisons) {
     for (const ObservableError& error : comparison.errors) {
-      const bool counts_here = error.kind == ObservableKind::displacement && error.validity == Validity::inside &&
-                               std::abs(error.reference) >= meshes::smallest_signed_m;
-      if (!counts_here) continue;
-      auto at = std::ranges::find_if(
-          counts, [&](const SignCount& count) { return count.body == comparison.body && count.observable == error.observable; });
-      if (at == counts.end()) at = counts.insert(at, {.body = comparison.body, .observable = error.observable});
+      if (error.kind != ObservableKind::displacement || std::abs(error.reference) < meshes::smallest_signed_m) continue;
+      const bool inside = error.validity == Validity::inside;
+      auto at = std::ranges::find_if(counts, [&](const SignCount& count) {
+        return count.body == comparison.body && count.observable == error.observable && count.inside == inside;
+      });
+      if (at == counts.end()) at = counts.insert(at, {.body = comparison.body, .observable = error.observable, .inside = inside});
       ++at->count;
       at->wrong += error.surrogate * error.reference > 0.0 ? 0 : 1;
     }

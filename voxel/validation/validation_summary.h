@@ -84,12 +84,14 @@ struct SignCount {
   std::string observable;
   std::size_t count = 0;  ///< numbers compared
   std::size_t wrong = 0;  ///< of these, with another sign than the reference
+  bool inside = true;     ///< the range of validity
 
   bool operator==(const SignCount&) const = default;
 };
 
-/// Counts the displacements inside the range of validity whose sign is wrong. Only those count that the reference moves by
-/// meshes::smallest_signed_m or more. One entry per body and observable with any such number, in the order of the curves.
+/// Counts the displacements whose sign is wrong, inside the range of validity and outside. Only those count that the reference
+/// moves by meshes::smallest_signed_m or more. One entry per body, observable and side of the range with any such number, in the
+/// order of the curves.
 std::vector<SignCount> count_signs(const std::vector<CurveComparison>& comparisons);
 
 /// The errors of one kind of observable, over all bodies, compared with an aim.

@@ -18,7 +18,8 @@ std::string percent_or_nothing(const std::optional<double>& fraction) { return f
 
 std::uint64_t number(std::size_t count) { return count; }
 
-std::string side_of(const ErrorSummary& summary) { return summary.inside ? "inside" : "outside"; }
+/// The word for a side of the range of validity.
+std::string side_word(bool inside) { return inside ? "inside" : "outside"; }
 
 void add_summaries(io::CsvTable& table, const std::vector<CurveComparison>& comparisons, const std::optional<std::string>& body) {
   for (const ErrorSummary& summary : summarise(comparisons, body)) {
@@ -26,7 +27,7 @@ void add_summaries(io::CsvTable& table, const std::vector<CurveComparison>& comp
     const auto of_furthest = [&](double FurthestDisplacement::*member) {
       return furthest ? std::optional(*furthest.*member) : std::nullopt;
     };
-    table.add_row(body.value_or("all"), to_string(summary.kind), side_of(summary), number(summary.count),
+    table.add_row(body.value_or("all"), to_string(summary.kind), side_word(summary.inside), number(summary.count),
                   number(summary.without_equilibrium), summary.median, summary.percentile_90, summary.worst,
                   summary.pointwise_median, summary.worst_body, summary.worst_case, summary.worst_observable, summary.median_m,
                   summary.worst_m, furthest ? furthest->body : "", furthest ? furthest->observable : "",
@@ -113,36 +114,41 @@ io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons) {
 }
 
 io::CsvTable signs_table(const std::vector<CurveComparison>& comparisons) {
-  io::CsvTable table({"body", "observable", "count", "wrong"});
+  io::CsvTable table({"body", "observable", "range", "count", "wrong"});
   for (const SignCount& signs : count_signs(comparisons))
-    table.add_row(signs.body, signs.observable, number(signs.count), number(signs.wrong));
+    table.add_row(signs.body, signs.observable, side_word(signs.inside), number(signs.count), number(signs.wrong));
   return table;
 }
 
-std::string sign_sentence(const std::vector<CurveComparison>& comparisons) {
+std::string sign_sentence(const std::vector<CurveComparison>& comparisons, bool inside) {
   std::size_t count = 0;
   std::size_t wrong = 0;
   std::vector<std::string> which;
   for (const SignCount& signs : count_signs(comparisons)) {
+    if (signs.inside != inside) continue;
     count += signs.count;
     wrong += signs.wrong;
     if (signs.wrong > 0)
       which.push_back(signs.body + " " + signs.observable + " (" + std::to_string(signs.wrong) + " of " +
                       std::to_string(signs.count) + ")");
   }
-  return "sign: " + std::to_string(count - wrong) + " of " + std::to_string(count) + " displacements of at least " +
-         io::formatted("%.1f mm", 1e3 * meshes::smallest_signed_m) + " go the right way" +
-         (which.empty() ? "" : "; the wrong way: " + io::joined(which));
+  if (count == 0) return "";
+  return std::string(inside ? "sign: " : "sign, outside the range of validity: ") + std::to_string(count - wrong) + " of " +
+         std::to_string(count) + " displacements of at least " + io::formatted("%.1f mm", 1e3 * meshes::smallest_signed_m) +
+         " go the right way" + (which.empty() ? "" : "; the wrong way: " + io::joined(which));
 }
 
 std::string furthest_sentence(const std::vector<CurveComparison>& comparisons) {
   const std::vector<ErrorSummary> summaries = summarise(comparisons);
-  const ErrorSummary* summary = find_summary(summaries, ObservableKind::displacement);
+  const ErrorSummary* summary = nullptr;  // inside the range of validity, which comes first, or outside if nothing is inside
+  for (const ErrorSummary& one : summaries)
+    if (summary == nullptr && one.kind == ObservableKind::displacement) summary = &one;
   if (summary == nullptr || !summary->furthest) return "";
   const FurthestDisplacement furthest = furthest_displacement(comparisons, *summary->furthest);
-  std::string text = "furthest off: " + io::millimetres(furthest.difference_m) + ", " + percent(furthest.share) +
-                     " of the length of the body (" + furthest.body + " " + furthest.observable + " at " +
-                     io::kilopascals(furthest.pressure_Pa) + ", " + percent(furthest.error) + " of the largest in its curve)";
+  std::string text = std::string(summary->inside ? "furthest off: " : "furthest off, outside the range of validity: ") +
+                     io::millimetres(furthest.difference_m) + ", " + percent(furthest.share) + " of the length of the body (" +
+                     furthest.body + " " + furthest.observable + " at " + io::kilopascals(furthest.pressure_Pa) + ", " +
+                     percent(furthest.error) + " of the largest in its curve)";
   if (summary->worst_m && *summary->worst_m < furthest.difference_m)
     text += "; the worst in per cent of its curve, " + percent(*summary->worst) + ", is " + io::millimetres(*summary->worst_m) +
             " (" + summary->worst_body + " " + summary->worst_observable + ")";
@@ -167,7 +173,7 @@ std::vector<std::string> summary_lines(const std::vector<CurveComparison>& compa
   std::vector<Line> lines{
       {"observable", "range", "number", "without_equilibrium", "median", "90 %", "worst", "pointwise", "worst body"}};
   for (const ErrorSummary& summary : summarise(comparisons)) {
-    lines.push_back({std::string(to_string(summary.kind)), side_of(summary), std::to_string(summary.count),
+    lines.push_back({std::string(to_string(summary.kind)), side_word(summary.inside), std::to_string(summary.count),
                      std::to_string(summary.without_equilibrium), percent_or_nothing(summary.median),
                      percent_or_nothing(summary.percentile_90), percent_or_nothing(summary.worst),
                      percent_or_nothing(summary.pointwise_median), summary.worst_body});

@@ -24,14 +24,15 @@ io::CsvTable errors_table(const std::vector<CurveComparison>& comparisons);
 /// name are fractions. Cells are empty if a number is missing.
 io::CsvTable summary_table(const std::vector<CurveComparison>& comparisons);
 
-/// A table with one row per body and observable, see SignCount: body, observable, count, wrong.
+/// A table with one row per body and observable, see SignCount: body, observable, range ("inside", "outside"), count, wrong.
 io::CsvTable signs_table(const std::vector<CurveComparison>& comparisons);
 
-/// A sentence: how many displacements have the right sign, and which do not.
-std::string sign_sentence(const std::vector<CurveComparison>& comparisons);
+/// A sentence: how many displacements on one side of the range of validity have the right sign, and which do not. Empty if none
+/// was compared there.
+std::string sign_sentence(const std::vector<CurveComparison>& comparisons, bool inside);
 
 /// A sentence: how far the shape is off where it is furthest off, in millimetres, beside the largest error in per cent of a
-/// curve. Empty if no displacement was compared inside the range of validity.
+/// curve. Outside the range of validity if no displacement was compared inside; empty without any.
 std::string furthest_sentence(const std::vector<CurveComparison>& comparisons);
 
 /// A table with one row per body, see VolumeActuation.

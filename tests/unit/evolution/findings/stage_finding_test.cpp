@@ -63,6 +63,13 @@ TEST_F(StageFinding, TellsWhichRobotASearchFoundAndWhatItsElementsRefused) {
   io::write_whole(folder_ / "logs/evolve.txt",
                   "Champion: individual 3, 5 cells; number 2 of the search: 0.01\nNext: menger export\n");
   EXPECT_EQ(found("evolve"), "Champion: individual 3, 5 cells");
+  EXPECT_EQ(verdict(), "") << "the search is not of this robot";
+  stages_.insert("evolve");
+  EXPECT_EQ(
+      verdict(),
+      "The best robot of the search, which is not the body of this file: individual 3, 5 cells; number 2 of the search: 0.01.");
+  robot_.evolves = true;
+  expect_has(verdict(), "The best robot of the search: individual 3");
   io::write_whole(folder_ / "logs/evolve.txt",
                   "note: finite elements refused 2 of 11 bodies\nChampion: individual 3, 5 cells\nNext: menger export\n");
   EXPECT_EQ(found("evolve"), "Champion: individual 3, 5 cells; finite elements refused 2 of 11 bodies");

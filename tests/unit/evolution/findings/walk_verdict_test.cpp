@@ -22,6 +22,10 @@ TEST_F(WalkVerdict, ComparesWalksOfBothModelsAndOfBothMeshes) {
   write_walk("locomote_finer/locomotion.toml", 0.024, 0.0);
   expect_has(verdict(), "How it walks is not known: 6 mm and 24 mm, 180 degrees apart on finite elements of two meshes.");
   expect_has(verdict(), "So the walk of the surrogate, 40 mm, cannot be judged.");
+  write_walk("simulate/result.toml", 2e-6, 0.0, "3.9e-5");
+  expect_has(verdict(), "The surrogate does not walk: it ends within 10 % of its length from where it began.");
+  EXPECT_EQ(found("simulate"), "it moves 0.002 mm (0 body lengths) in 5 s");
+  write_walk("simulate/result.toml", 0.04, 0.0);
   EXPECT_EQ(verdict().find("The surrogate does not walk"), std::string::npos) << verdict();
   write_walk("locomote/locomotion.toml", 0.02, 0.0);
   write_walk("simulate/result.toml", 0.03, 0.0);

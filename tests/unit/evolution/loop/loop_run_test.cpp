@@ -509,6 +509,8 @@ TEST_F(LoopRunTest, LeavesWhatCameOutForTheReport) {
   const std::optional<LoopVerdict> verdict = read_loop_verdict(folder_ / "results");
   ASSERT_TRUE(verdict);
   ASSERT_FALSE(verdict->lines.empty());
+  ASSERT_FALSE(verdict->forecast.empty());
+  for (const std::string& line : verdict->forecast) EXPECT_NE(out_.str().find(line + "\n"), std::string::npos) << line;
   for (const std::string& line : verdict->lines) EXPECT_NE(out_.str().find("- " + line + "\n"), std::string::npos) << line;
   EXPECT_EQ(io::read_whole(folder_ / "results/report.html"), io::read_whole(folder_ / "results/loop_verdict.json"))
       << "the report is made when the verdict is there";
@@ -569,6 +571,26 @@ TEST_F(LoopRunTest, ReplacesNothingThatNoLoopHasMade) {
   EXPECT_NE(message.find("mine: holds report.html, mesh, which no loop has made"), std::string::npos) << message;
   EXPECT_EQ(io::read_whole(folder_ / "mine/report.html"), "my report");
   EXPECT_FALSE(fs::exists(folder_ / "mine/logs"));
+}
+
+TEST_F(LoopRunTest, ReplacesNoResultsOfAnotherRobot) {
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  io::write_whole(folder_ / "other.toml", robot_text);
+  const LoopRequest other{.robot = folder_ / "other.toml", .until = "mesh", .programs = folder_ / "bin", .stop = &stop_};
+  const std::string message = tests::message_of([&] { run_loop(other, out_); });
+  EXPECT_NE(message.find("robot.toml, which this loop would replace: name another folder with -o"), std::string::npos) << message;
+  EXPECT_NE(message.find("other_results"), std::string::npos) << message;
+  fs::remove(folder_ / "robot.toml");
+  EXPECT_EQ(run_loop(other, out_), io::exit_code::done) << "a robot that was given another name keeps its results";
+}
+
+TEST_F(LoopRunTest, CopyOfARobotAndItsResultsGoesOn) {
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  fs::create_directories(folder_ / "copy");
+  fs::copy(folder_ / "results", folder_ / "copy/results", fs::copy_options::recursive);
+  fs::copy_file(folder_ / "robot.toml", folder_ / "copy/robot.toml");
+  const LoopRequest copy{.robot = folder_ / "copy/robot.toml", .until = "mesh", .programs = folder_ / "bin", .stop = &stop_};
+  EXPECT_EQ(run_loop(copy, out_), io::exit_code::done);
 }
 
 TEST_F(LoopRunTest, FirstLinesWarnOfWallsThatLeaveHardlyAChamber) {

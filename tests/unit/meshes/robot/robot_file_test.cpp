@@ -7,6 +7,7 @@
 
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
+#include "io/text/joined_text.h"
 #include "io/text/whole_file.h"
 #include "materials/laws/hyperelastic_law.h"
 #include "meshes/robot/starting_points.h"
@@ -108,6 +109,8 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(head, "robot.silicone is missing");
   expect(head + "silicone = \"rubber\"\n", "silicone = \"rubber\": is neither a file (.toml) nor one of dragon_skin_10");
   expect(whole + "wall_thickness_m = 0.005\n", "wall_thickness_m = 0.005: walls fill a cell");
+  expect(whole + "wall_thickness_m = 0.0001\n", "wall_thickness_m = 1e-04: must be at least 0.02 of cell_edge_m, 2e-04");
+  expect(whole + "[walk]\nduration_s = 5000\n", "duration_s");
   expect(whole + "wall_thicknes_m = 0.002\n", "did you mean wall_thickness_m?");
   expect(whole + "[drive]\nmode = \"antiphase\"\n", "mode = \"antiphase\": needs robot.chambers = \"per-phase\"");
   expect(whole + "[drive]\npressure_Pa = [3000, 1000]\n", "the lowest comes first");
@@ -134,6 +137,8 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
     expect("[robot]\nsilicone = \"dragon_skin_10\"\n" + body, part);
   };
   expect_body("layers = [[\"1\"]]\ncell_edge_m = 12\n", "cell_edge_m = 12: is more than 0.5 m: lengths are in metres");
+  expect_body("layers = [[\"1\"]]\ncell_edge_m = 0.12\n",
+              "cell_edge_m = 0.12: is too large for wall_thickness_m, which is 0.002 if not given and must be at least 0.02");
   expect_body("layers = [[\"1\"]]\ncell_edge_m = \"12mm\"\n", "cell_edge_m = \"12mm\": must be a number (metres)");
   expect_body("layers = [[\"101\"]]\ncell_edge_m = 0.01\n", "robot.layers = [[\"101\"]]: the body is in 2 parts");
   expect_body(
@@ -154,6 +159,32 @@ TEST(RobotFile, NamesKeyAndValueOfWhatItRefuses) {
   expect(whole + "[drive]\nmode = \"hold\"\n[search]\n", "mode = \"hold\": cannot stand beside a search");
   expect(whole + "design = \"evolve\"\n", "layers");
   expect("[robot]\ndesign = \"draw\"\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n", "design = \"draw\"");
+}
+
+TEST(RobotFile, TellsWhatItSaysInVain) {
+  const tests::TestFolder folder;
+  const auto notes = [&](const std::string& more, const std::string& row = "111") {
+    io::write_whole(folder / "robot.toml",
+                    "[robot]\nlayers = [[\"" + row + "\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n" + more);
+    return io::joined(read_robot(folder / "robot.toml").notes, "\n");
+  };
+  const auto has = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  EXPECT_EQ(notes(""), "");
+  EXPECT_EQ(notes("[drive]\nmode = \"hold\"\n[walk]\npresent = false\n"), "");
+  has(notes("[drive]\nmode = \"hold\"\nfrequency_Hz = 5\n"), "drive.frequency_Hz has no effect");
+  has(notes("[drive]\nmode = \"hold\"\n"), "set walk.present = false");
+  has(notes("[walk]\npresent = false\nduration_s = 3\n"), "walk.duration_s has no effect");
+  has(notes("[drive]\nfrequency_Hz = 0.01\n"), "the walk of 5 s ends within the first stroke, which takes 100 s");
+  has(notes("", "112"), "digits 1 and 2 mean the same here");
+  EXPECT_EQ(notes("chambers = \"per-phase\"\n", "112"), "");
+  EXPECT_EQ(notes("", "222"), "") << "one digit alone misleads nobody";
+  has(notes("[search]\n"), "[search] looks for another body");
+  has(notes("[search]\n[walk]\npresent = false\n"), "[search] lets its robots walk");
+  io::write_whole(folder / "design.toml", "name = \"d\"\ncell_edge_m = 0.012\nlayers = [[\"11\"]]\n");
+  io::write_whole(folder / "robot.toml", "[robot]\nfile = \"design.toml\"\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n");
+  has(io::joined(read_robot(folder / "robot.toml").notes), "robot.cell_edge_m, 0.01 m, takes the place of that in robot.file");
 }
 
 TEST(RobotFile, EvolvedBodiesHaveASearch) {

@@ -254,12 +254,41 @@ TEST(CommandStudy, DerivesStudyAndFolderFromARobotAlone) {
   EXPECT_EQ(io::read_whole(derived.study), study_text(robot, RobotStudy::validate, RobotPlaces(robot.file)));
   EXPECT_TRUE(fs::exists(folder / "results/studies/validate_load_cases.toml"));
   io::write_whole(folder / "study.toml", "[design]\n");
-  EXPECT_NE(tests::message_of([&] { refuse_robot_file(robot.file); }).find("is the file of a robot, not a study of this command (--template prints one): menger loop"),
+  EXPECT_NE(tests::message_of([&] {
+              refuse_robot_file(robot.file);
+            }).find("is the file of a robot, not a study of this command (--template prints one): menger loop"),
             std::string::npos);
   EXPECT_NO_THROW(refuse_robot_file(folder / "study.toml"));
   const CommandStudy own = command_study(folder / "study.toml", RobotStudy::validate);
   EXPECT_EQ(own.study, folder / "study.toml");
   EXPECT_EQ(own.folder, "study");
+}
+
+TEST(CommandStudy, FolderThatTheUserNamesTakesTheStudiesToo) {
+  const tests::TestFolder folder;
+  const Robot robot = robot_of(folder, dragon_skin_1cm);
+  const CommandStudy derived = command_study(robot.file, RobotStudy::simulate, folder / "mine");
+  EXPECT_EQ(derived.study, folder / "mine/studies/simulate.toml");
+  EXPECT_EQ(derived.folder, folder / "mine");
+  EXPECT_FALSE(fs::exists(folder / "results")) << "nothing is left beside a robot that one may only read";
+}
+
+TEST(CommandStudy, SaysWhichFitComesFirst) {
+  const tests::TestFolder folder;
+  static_cast<void>(robot_of(folder, "cell_edge_m = 0.012\nwall_thickness_m = 0.003\nsilicone = \"ecoflex_00_30\"\n"));
+  const auto first = [&](RobotStudy study) {
+    const std::string message = tests::message_of([&] { static_cast<void>(command_study(folder / "robot.toml", study)); });
+    const std::size_t until = message.find("--until ");
+    return until == std::string::npos ? "" : message.substr(until);
+  };
+  EXPECT_EQ(first(RobotStudy::simulate), "--until calibrate");
+  EXPECT_EQ(first(RobotStudy::validate), "--until calibrate");
+  EXPECT_EQ(first(RobotStudy::calibrate), "--until load_cases");
+  EXPECT_FALSE(fs::exists(folder / "results")) << "a refusal writes nothing";
+  fs::create_directories(folder / "results/load_cases");
+  EXPECT_EQ(first(RobotStudy::calibrate), "");
+  io::write_whole(folder / "results/calibrate/parameters.toml", "");
+  EXPECT_EQ(first(RobotStudy::simulate), "");
 }
 
 TEST(CommandStudy, SaysWhyARobotHasNoSuchStudy) {

@@ -30,6 +30,8 @@ const ObservableError& error_of(const CurveComparison& comparison, const std::st
   return *found;
 }
 
+void expect_begin(const std::string& text, const std::string& beginning) { EXPECT_TRUE(text.starts_with(beginning)) << text; }
+
 TEST(Validation, TakesErrorsByTheLargestMagnitudeOfTheObservableInItsCurve) {
   std::vector<std::vector<double>> response = blocked_table;
   response[1] = {0.0, -0.12, -0.3};
@@ -70,9 +72,16 @@ TEST(Validation, CountsDisplacementsThatGoTheWrongWay) {
                                         {.body = "bar", .observable = "top_m", .count = 1, .wrong = 1}};
   EXPECT_EQ(count_signs(comparisons), expected);
   EXPECT_EQ(
-      sign_sentence(comparisons),
+      sign_sentence(comparisons, true),
       "sign: 3 of 5 displacements of at least 0.2 mm go the right way; the wrong way: bar extent_y_m (1 of 2), bar top_m (1 "
       "of 1)");
+  EXPECT_EQ(sign_sentence(comparisons, false), "");
+  std::vector<CurveComparison> beyond = comparisons;
+  for (ObservableError& error : beyond[0].errors) error.validity = Validity::size;
+  EXPECT_EQ(sign_sentence(beyond, true), "") << "0 of 0 would sound as if none went the wrong way";
+  expect_begin(sign_sentence(beyond, false), "sign, outside the range of validity: 3 of 5 displacements");
+  expect_begin(furthest_sentence(beyond), "furthest off, outside the range of validity: 2 mm");
+  EXPECT_EQ(signs_table(beyond).row_count(), 3U);
 }
 
 TEST(Validation, LeavesOutWhatIsZeroThroughout) {
