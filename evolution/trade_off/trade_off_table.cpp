@@ -29,13 +29,14 @@ std::optional<double> largest_error(const std::vector<std::optional<double>>& er
   return largest;
 }
 
-/// Returns the rows that have an error and a time, the fastest first; of equally fast ones the one with the smaller error first.
-std::vector<std::size_t> by_seconds(const TradeTable& table) {
+/// Returns the rows that have an error and a cost, the cheapest first; of equally cheap ones the one with the smaller error
+/// first.
+std::vector<std::size_t> by_cost(const TradeTable& table) {
   std::vector<std::size_t> order;
   for (std::size_t n = 0; n < table.rows.size(); ++n) {
-    if (table.rows[n].error && table.rows[n].seconds) order.push_back(n);
+    if (table.rows[n].error && table.rows[n].cost_s()) order.push_back(n);
   }
-  std::ranges::stable_sort(order, {}, [&](std::size_t n) { return std::pair(*table.rows[n].seconds, *table.rows[n].error); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t n) { return std::pair(*table.rows[n].cost_s(), *table.rows[n].error); });
   return order;
 }
 
@@ -45,8 +46,9 @@ double known_error(const TradeTable& table, std::size_t n) {
 }
 
 std::string cost_text(const TradeRow& row) {
-  const double seconds = row.seconds.value_or(0.0);
-  std::string text = seconds < 10.0 ? io::shown(seconds, 2) + " s" : io::duration_text(seconds);
+  const double cost_s = row.cost_s().value_or(0.0);
+  std::string text = cost_s < 10.0 ? io::shown(cost_s, 2) + " s" : io::duration_text(cost_s);
+  if (row.cpu_seconds) text += " of a core";
   if (row.peak_megabytes) text += " and " + io::formatted("%.0f", *row.peak_megabytes) + " MB";
   return text;
 }
@@ -106,7 +108,7 @@ void compare_with_reference(TradeTable& table, std::size_t reference, std::vecto
 std::vector<std::size_t> pareto_front(const TradeTable& table) {
   constexpr double least_gain = 0.01;
   std::vector<std::size_t> front;
-  for (const std::size_t n : by_seconds(table)) {
+  for (const std::size_t n : by_cost(table)) {
     if (front.empty() || known_error(table, n) < (1.0 - least_gain) * known_error(table, front.back())) front.push_back(n);
   }
   return front;
@@ -114,7 +116,7 @@ std::vector<std::size_t> pareto_front(const TradeTable& table) {
 
 std::vector<Recommendation> recommendations(const TradeTable& table, const std::vector<double>& targets) {
   // All rows count, not the front alone: a row may meet the target by a gain that is too small for the front.
-  const std::vector<std::size_t> order = by_seconds(table);
+  const std::vector<std::size_t> order = by_cost(table);
   std::vector<Recommendation> found;
   for (const double target : targets) {
     const auto good = std::ranges::find_if(order, [&](std::size_t n) { return known_error(table, n) <= target; });
@@ -165,7 +167,8 @@ std::string recommendation_toml(const TradeTable& table, const std::vector<doubl
     for (const auto& [column, value] : row.fidelity) add(column, io::toml_quoted(value));
     add("relative_error", io::number_text(*row.error));
     if (table.reference_error) add("reference_relative_error", io::number_text(*table.reference_error));
-    add("seconds", io::number_text(*row.seconds));
+    if (row.seconds) add("seconds", io::number_text(*row.seconds));
+    if (row.cpu_seconds) add("cpu_seconds", io::number_text(*row.cpu_seconds));
     if (row.peak_megabytes) add("peak_memory_MB", io::number_text(*row.peak_megabytes));
     if (row.is_outside()) add("outside_validity", "true");
   }

@@ -41,6 +41,9 @@ struct TradeRow {
   /// What was outside the range of validity of the voxel parameters, a sentence each. None for a run without such parameters.
   std::optional<std::vector<std::string>> outside_validity{};
 
+  /// What a run costs, s: processor time, which other work on the machine changes less than wall time; wall time if that alone is
+  /// known, and nothing if neither is.
+  [[nodiscard]] std::optional<double> cost_s() const { return cpu_seconds ? cpu_seconds : seconds; }
   [[nodiscard]] bool is_outside() const { return outside_validity && !outside_validity->empty(); }
 };
 
@@ -68,24 +71,24 @@ std::vector<double> error_scales(const std::vector<std::string>& observables, co
 /// @param reference_errors by observable, relative to the reference's value itself
 void compare_with_reference(TradeTable& table, std::size_t reference, std::vector<std::optional<double>> reference_errors);
 
-/// Returns the rows that no other row beats in both seconds and error, by ascending seconds; of equals the first. An error below
+/// Returns the rows that no other row beats in both cost and error, by ascending cost; of equals the first. An error below
 /// the reference's own error counts as that error, because smaller ones cannot be told apart. A gain of less than a hundredth of
 /// the error does not count, because it may differ on another computer.
 std::vector<std::size_t> pareto_front(const TradeTable& table);
 
-/// The fastest run that is accurate enough.
+/// The cheapest run that is accurate enough.
 struct Recommendation {
   double target = 0.0;             ///< relative error
-  std::optional<std::size_t> row;  ///< the fastest whose error, as pareto_front counts it, is at most the target
+  std::optional<std::size_t> row;  ///< the cheapest whose error, as pareto_front counts it, is at most the target
 };
 std::vector<Recommendation> recommendations(const TradeTable& table, const std::vector<double>& targets);
 
-/// Returns recommendations as text for people, a line each: "for 5 % you need ..., it costs 1.2 s and 80 MB".
+/// Returns recommendations as text for people, a line each: "for 5 % you need ..., it costs 1.2 s of a core and 80 MB".
 std::string recommendation_text(const TradeTable& table, const std::vector<double>& targets);
 
 /// Returns recommendations as TOML: `[[recommendation]]` with target_relative_error, found, model, fidelity columns,
-/// relative_error, reference_relative_error, seconds, peak_memory_MB, and outside_validity if it is true. @param table_name in
-/// place of `recommendation`
+/// relative_error, reference_relative_error, seconds, cpu_seconds, peak_memory_MB, and outside_validity if it is true. @param
+/// table_name in place of `recommendation`
 std::string recommendation_toml(const TradeTable& table, const std::vector<double>& targets, const std::string& table_name);
 
 /// Makes a table of all rows: model, fidelity columns, observables, their relative errors, cost, role (reference, on the front),

@@ -127,7 +127,7 @@ class InflationRun {
       if (material.smallest_stretch < 1.0) continue;
       const std::string note = "the path goes below ambient pressure, and the law of region \"" +
                                problem_.mesh.region_names[region] + "\" (" + material.name +
-                               ") was never compared with compression: smallest_stretch = 1";
+                               ") was fitted to stretch alone (smallest_stretch = 1): how it is compressed is not known";
       if (options_.strict) throw io::InputError(study_.file.string() + ": " + note);
       result_.notes.push_back(note);
     }

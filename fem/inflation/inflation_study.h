@@ -26,7 +26,7 @@ struct StudyMaterial {
   materials::HyperelasticLaw law;
   VolumetricLaw volume = materials::SimoTaylorVolume{};
   std::optional<double> density_kg_per_m3;  ///< gravity needs one
-  double smallest_stretch = 0.0;            ///< 1: the law was never compared with compression; 0: no range is stated
+  double smallest_stretch = 0.0;            ///< 1: the law was fitted to stretch alone; 0: no range is stated
   double largest_stretch = std::numeric_limits<double>::infinity();
   std::string name;                           ///< of the record and the law, for messages
   std::string silicone = "unnamed silicone";  ///< name of the record

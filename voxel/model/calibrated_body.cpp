@@ -59,8 +59,8 @@ std::vector<std::string> faults_of(const CalibratedBody& calibrated, const BodyW
   for (const double pressure : calibrated.pressure_Pa) {
     if (covered.contains(pressure)) continue;
     faults.push_back("pressure_Pa = " + io::number_text(pressure) + " is outside the range of the fit for such a body, " +
-                     io::shown(covered.lowest_Pa) + " to " + io::shown(covered.highest_Pa) + " Pa; its end is that of " +
-                     (pressure < 0.0 ? covered.lowest_by : covered.highest_by));
+                     io::shown(covered.lowest_Pa) + " to " + io::shown(covered.highest_Pa) +
+                     " Pa; beyond, the fit does not know " + (pressure < 0.0 ? covered.lowest_by : covered.highest_by));
   }
   if (calibrated.chambers != parameters.chambers) {
     faults.push_back("chambers = \"" + std::string(to_string(calibrated.chambers)) + "\", the bodies of the fit had \"" +

@@ -12,7 +12,7 @@ namespace {
 
 std::string class_text(std::size_t wall_class, std::size_t gap) {
   constexpr ByGap<std::string_view> cells{"one cell", "two cells", "three cells or more"};
-  return wall_class_text(wall_class) + ", and a wall that faces them across " + std::string(cells.at(gap));
+  return "walls " + std::string(cells.at(gap)) + " apart of " + wall_class_text(wall_class);
 }
 
 bool has_class(const BodyWalls& walls, std::size_t wall_class) {

@@ -62,7 +62,7 @@ TEST(CoveredPressures, OfAPlaneEndWhereItsMiddleWasNotFitted) {
   // walls of 3 x 3 cells with 6 mm between them meet at -0.64 kPa. Under pressure they move apart, as those of the full cube.
   const CoveredPressures range = covered(plane);
   EXPECT_EQ(range.lowest_Pa, 0.0);
-  EXPECT_EQ(range.lowest_by, "voxels with no wall beside them (wall class 0), and a wall that faces them across one cell");
+  EXPECT_EQ(range.lowest_by, "walls one cell apart of voxels with no wall beside them (wall class 0)");
   EXPECT_EQ(range.highest_Pa, 9.0e3);
   EXPECT_EQ(range.highest_by, "voxels with no wall beside them (wall class 0)");
   EXPECT_FALSE(range.contains(-0.65e3));
@@ -74,7 +74,7 @@ TEST(CoveredPressures, OfVacuumReachOnlyToGapsAtLeastAsWide) {
   // Walls of 3 x 3 cells two cells apart lie between the plane and the full cube, whose walls have three cells between them.
   const CoveredPressures slab = covered(Polycube::from_digits(3, 3, 2, std::string(18, '1')));
   EXPECT_EQ(slab.lowest_Pa, 0.0);
-  EXPECT_EQ(slab.lowest_by, "voxels with no wall beside them (wall class 0), and a wall that faces them across two cells");
+  EXPECT_EQ(slab.lowest_by, "walls two cells apart of voxels with no wall beside them (wall class 0)");
   ValidityRange validity = validity_of_fit();
   cover(validity, body_walls(plane, 1, ChamberLayout::single), -0.6e3, 15.0e3);
   const BodyWalls of_slab = body_walls(Polycube::from_digits(3, 3, 2, std::string(18, '1')), 1, ChamberLayout::single);

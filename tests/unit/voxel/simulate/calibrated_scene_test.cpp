@@ -200,7 +200,7 @@ TEST_F(CalibratedScene, TellsTheRangeOfPressuresInFewDigits) {
   parameters.validity.highest_pressure_Pa.fill(1277.441139158422);
   write(parameters);
   expect_refused(bar + use + "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 2500]\n",
-                 "-2000 to 1277 Pa; its end is that of voxels with ");
+                 "-2000 to 1277 Pa; beyond, the fit does not know voxels with ");
 }
 
 TEST_F(CalibratedScene, StatesThatStrainsLeftTheRange) {
