@@ -117,7 +117,7 @@ std::string inflation_text(const fs::path& results, const meshes::Robot& robot) 
   const std::string least = air_text(growth->least);
   const std::string most = air_text(growth->most);
   const bool has_one_unit = growth->least >= 1.0 && least != most;  // "20 to 50 % more air"
-  return "at " + driven_text(robot, pressure_Pa) + " each of these holds " +
+  return "at " + driven_text(robot, pressure_Pa) + ", each of them holds " +
          (least == most ? least : (has_one_unit ? least.substr(0, least.find(' ')) : least) + " to " + most);
 }
 

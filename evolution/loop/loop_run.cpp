@@ -137,6 +137,7 @@ class LoopRun {
 
   int run() {
     refuse_other_results();
+    io::require_writable_folder(places_.results);  // first: people named this one
     io::require_writable_folder(places_.results / "logs");
     const io::FileLock lock(places_.results / "loop");
     state_.emplace(places_.results / loop_state_name);

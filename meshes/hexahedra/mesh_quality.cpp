@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/joined_text.h"
 #include "meshes/hexahedra/chamber_surface.h"
 #include "meshes/hexahedra/element_geometry.h"
 
@@ -111,11 +113,14 @@ io::CsvTable quality_table(const MeshQuality& quality) {
 }
 
 std::string quality_text(const MeshQuality& quality) {
-  std::string text = line("%zu elements, %zu points, %zu boundary faces, %zu chambers in %zu plenums\n", quality.elements,
-                          quality.points, quality.boundary_faces, quality.chambers, quality.plenums);
+  const std::vector<std::string> counts{
+      io::counted(quality.elements, "element"), io::counted(quality.points, "point"),
+      io::counted(quality.boundary_faces, "boundary face"),
+      io::counted(quality.chambers, "chamber") + " in " + io::counted(quality.plenums, "plenum")};
+  std::string text = io::joined(counts) + "\n";
   if (quality.body)
-    text += line("%zu modules, %zu holes in joints, %zu contacts of modules along an edge only (not bonded)\n",
-                 quality.body->modules, quality.body->holes, quality.body->edge_contacts);
+    text += io::counted(quality.body->modules, "module") + ", " + io::counted(quality.body->holes, "hole") + " in joints, " +
+            io::counted(quality.body->edge_contacts, "contact") + " of modules along an edge only (not bonded)\n";
   text += line("edges %.4g to %.4g mm, aspect ratio up to %.4g, scaled Jacobian at least %.4g, on average %.4g\n",
                1e3 * quality.shortest_edge_m, 1e3 * quality.longest_edge_m, quality.aspect_ratio_max, quality.scaled_jacobian_min,
                quality.scaled_jacobian_mean);

@@ -17,6 +17,7 @@
 #include "io/process/study_help.h"
 #include "io/study/installed_folders.h"
 #include "io/text/content_hash.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
@@ -145,7 +146,7 @@ int run(int argc, const char* const* argv) {
     voxel::expected_errors_table(all).write(voxel::expected_errors_file(study.parameters));
   }
   for (const std::string& line : voxel::report_lines(result, study.aim)) std::cout << line << '\n';
-  std::cout << io::to_string(result.status) << ": " << result.comparisons.size() << " curves; results in "
+  std::cout << io::to_string(result.status) << ": " << io::counted(result.comparisons.size(), "curve") << "; results in "
             << arguments.folder.string() << '\n';
   return io::exit_code_of(result.status);
 }

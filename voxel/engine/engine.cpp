@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "io/text/formatted.h"
 #include "voxel/model/actuation.h"
 
 namespace menger::voxel {
@@ -76,9 +77,9 @@ void EngineOf<Real>::report_body() {
                     ", damping from " + std::string(to_string(physics.integration.damping)));
   if (uniform_) report_.push_back("coefficients per voxel and beam left out: all voxels are of one material and free");
   if (body.hollow) {
-    report_.push_back("calibrated body: " + std::to_string(body.classes.voxel.size()) + " classes of voxels, " +
-                      std::to_string(body.classes.beam.size()) + " of beams, " + std::to_string(body.hollow->chamber_count) +
-                      " chambers");
+    report_.push_back("calibrated body: classes: " + std::to_string(body.classes.voxel.size()) + " of voxels, " +
+                      std::to_string(body.classes.beam.size()) + " of beams; " +
+                      io::counted(body.hollow->chamber_count, "chamber"));
   }
   if (!coupling_) report_.push_back("lateral coupling left out: it is zero");
   if (options_.every_term) report_.push_back("every term is computed, as requested");

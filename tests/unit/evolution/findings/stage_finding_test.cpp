@@ -19,7 +19,7 @@ TEST_F(StageFinding, TellsWhatTheFilesOfAStageHold) {
   io::write_whole(folder_ / "inflate/curves.csv",
                   "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,2e-6\n"
                   "1,3000,1.5e-6,0,2e-6\n2,0,1e-6,3000,2.4e-6\n");
-  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material each of these holds 20 to 50 % more air");
+  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material, each of them holds 20 to 50 % more air");
   robot_.drive = meshes::RobotDrive::in_phase;
   io::write_whole(folder_ / "mesh/mesh_quality.csv",
                   "quantity,value\nelements,3\nsolid volume_m3,2e-6\nchamber 0 volume_m3,1e-6\nchamber 1 volume_m3,1e-6\n");
@@ -47,7 +47,7 @@ TEST_F(StageFinding, TellsInWhichChambersADriveInAntiphaseHasItsPressure) {
   write_inflation("completed");
   const std::string head = "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n";
   io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6,0,2e-6\n1,3000,1.5e-6,0,1.8e-6\n2,0,0.9e-6,3000,3e-6\n");
-  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material each of these holds 50 % more air");
+  EXPECT_EQ(found("inflate"), "at 3 kPa in the chambers of one material, each of them holds 50 % more air");
   write_inflation("wall_contact");
   io::write_whole(folder_ / "inflate/curves.csv", head + "0,0,1e-6,0,2e-6\n1,2600,1.5e-6,0,1.8e-6\n");
   EXPECT_EQ(found("inflate"), "walls of a chamber touch at 2.6 kPa in the chambers of one material");

@@ -30,5 +30,11 @@ TEST(RunStatusWords, AreTheWordsOfAllStatuses) {
   for (const auto& [word, status] : run_status_words()) EXPECT_EQ(word, to_string(status));
 }
 
+TEST(Formatted, CountsInWords) {
+  EXPECT_EQ(counted(1, "chamber"), "1 chamber");
+  EXPECT_EQ(counted(0, "chamber"), "0 chambers");
+  EXPECT_EQ(counted(12, "boundary face"), "12 boundary faces");
+}
+
 }  // namespace
 }  // namespace menger::io
