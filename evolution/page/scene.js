@@ -82,6 +82,12 @@ class Body {
     return this.times[pressures.map((p) => p >= high - 0.02 * (high - low)).lastIndexOf(true)];
   }
 
+  // That the motion has ended before a time: " (ended at 2 s)". A few steps of time are no difference.
+  ended(time, unit) {
+    const end = this.times[this.times.length - 1];
+    return time - end > 0.01 * time ? ` (ended at ${shown(Number(end.toPrecision(3)))} ${unit})` : '';
+  }
+
   // The horizontal displacement of the centre of mass, or where that is not known of the middle of the surface, in m.
   moved(time) {
     if (this.travelled.length) return this.between(this.travelled, time);
@@ -342,7 +348,7 @@ function drawMotion(data, parent) {
     const pressed = state.bodies.find((b) => b.pressures.length);
     if (pressed) parts.push('pressure ' + pressed.pressures.map((p) => `${(pressed.between(p, state.time) / 1000).toFixed(2)} kPa`).slice(0, 4).join(', '));
     readoutTime.textContent = parts.join(' \u00b7 ');
-    readoutMoved.textContent = scene.ground === null ? '' : state.bodies.map((b) => `${b.name}: ${b.travelled.length ? 'centre of mass' : 'middle'} moved ${(1000 * b.moved(state.time)).toFixed(1)} mm`).join(' \u00b7 ');
+    readoutMoved.textContent = scene.ground === null ? '' : state.bodies.map((b) => `${b.name}: ${b.travelled.length ? 'centre of mass' : 'middle'} moved ${(1000 * b.moved(state.time)).toFixed(1)} mm${b.ended(state.time, scene.unit)}`).join(' \u00b7 ');
     slider.setAttribute('aria-valuetext', readoutTime.textContent);
   }
 

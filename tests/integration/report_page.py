@@ -134,6 +134,12 @@ def check_first_view(browser, check):
     check.that(float(largest.split()[0]) < 1, f"a body that travels without a change of shape is displaced by nothing: {largest!r}")
 
 
+def check_ends(browser, check):
+    """Beside a longer walk, one that has ended says so. The page has been opened."""
+    told = browser.value("[1, 2.01, 4].map(time => Body.prototype.ended.call({times: [0, 2]}, time, 's'))")
+    check.that(told == ["", "", " (ended at 2 s)"], f"a walk beside a longer one tells when it ended: {told}")
+
+
 def check_page(browser, check, page, name):
     for scheme in ("light", "dark"):
         browser.prefer(scheme)
@@ -218,6 +224,7 @@ def main():
         browser.open(scratch + "/results/report.html")
         browser.settle()
         check_first_view(browser, check)
+        check_ends(browser, check)
         check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")
