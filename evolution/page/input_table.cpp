@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "evolution/page/chamber_names.h"
 #include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
 #include "io/shown/shown_column.h"
@@ -19,8 +20,6 @@
 #include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/silicone_record.h"
-#include "meshes/design/modular_body.h"
-#include "meshes/design/polycube.h"
 
 namespace menger::evolution {
 namespace {
@@ -94,30 +93,10 @@ std::string body_text(const CommandOutput& output) {
          " in " + std::to_string(along_x) + " x " + std::to_string(along_y) + " x " + std::to_string(layers.size());
 }
 
-/// Which chambers are of which material: curves and tables name them by number, designs by material.
+/// Which chambers are of which material.
 std::string regions_text(const CommandOutput& output) {
-  std::string text = "one for each region of cells of one material";
-  if (!output.stated.body || output.stated.body->layers.empty() || output.stated.body->layers.front().empty()) return text;
-  const auto& layers = output.stated.body->layers;
-  std::string digits;
-  for (const auto& rows : layers)
-    for (const std::string& row : rows) digits += row;
-  const std::size_t along_x = layers.front().front().size();
-  const std::size_t along_y = layers.front().size();
-  if (digits.size() != along_x * along_y * layers.size()) return text;
-  const auto cells = meshes::Polycube::from_digits(static_cast<int>(along_x), static_cast<int>(along_y),
-                                                   static_cast<int>(layers.size()), digits);
-  const meshes::ModularBody body(cells, 1, meshes::ChamberLayout::per_phase);
-  std::vector<std::string> parts;
-  for (const int material : {1, 2}) {
-    std::vector<std::string> numbers;
-    for (std::size_t region = 0; region < body.regions().size(); ++region)
-      if (body.regions()[region].material == material) numbers.push_back(std::to_string(region));
-    if (!numbers.empty())
-      parts.push_back((numbers.size() == 1 ? "plenum " : "plena ") + io::joined(numbers) + " of material " +
-                      std::to_string(material));
-  }
-  return text + (parts.empty() ? "" : ": " + io::joined(parts, "; "));
+  const std::string chambers = ChamberNames(output).all();
+  return "one for each region of cells of one material" + (chambers.empty() ? "" : ": " + chambers);
 }
 
 std::string with_spaces(std::string text) {

@@ -57,6 +57,7 @@ json json_of(const PageChart& chart) {
                       {"y", rounded(one.y)},
                       {"marks", word_of(one.marks)},
                       {"dashed", one.dashed},
+                      {"material", one.material},
                       {"labels", one.labels}});
   }
   json markers = json::array();

@@ -56,6 +56,7 @@ struct PageSeries {
   std::vector<double> y{};
   PageMarks marks = PageMarks::line;
   bool dashed = false;
+  int material = 0;                   ///< 1 or 2 if it is of one material: drawn in its colour; otherwise 0
   std::vector<std::string> labels{};  ///< of the points, shown when one is pointed at; none, or as many as points
 };
 

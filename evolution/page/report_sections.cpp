@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "evolution/page/chamber_names.h"
 #include "evolution/page/chart_points.h"
 #include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
@@ -47,12 +48,6 @@ std::vector<std::string> ending_with(const io::CsvContents& table, std::string_v
   for (const std::string& column : table.columns())
     if (column.ends_with(ending)) columns.push_back(column);
   return columns;
-}
-
-std::string without_ending(const std::string& column, std::string_view ending) {
-  std::string name = column.substr(0, column.size() - ending.size());
-  std::ranges::replace(name, '_', ' ');
-  return name;
 }
 
 void add_notes_of(const io::TomlTable& table, std::vector<std::string>& words) {
@@ -90,14 +85,16 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
                   .series = {},
                   .note = "From " + file_of(output, "curves.csv") + "."};
   const std::vector<std::string> pressures = ending_with(curves, "_pressure_Pa");
+  const ChamberNames chambers(output);
   for (const std::string& pressure : pressures) {
     const std::string plenum = pressure.substr(0, pressure.size() - std::string_view("_pressure_Pa").size());
-    chart.series.push_back({.name = pressures.size() == 1 ? "the chamber" : without_ending(pressure, "_pressure_Pa"),
+    chart.series.push_back({.name = pressures.size() == 1 ? "the chamber" : chambers.name_of(plenum),
                             .x = column_of(curves, plenum + "_volume_m3", 1e6),
                             .y = column_of(curves, pressure, 1e-3),
                             .marks = PageMarks::line_and_points,
                             // Chambers alike have the same curve: the one below shows through the gaps.
-                            .dashed = chart.series.size() % 2 == 1});
+                            .dashed = chart.series.size() % 2 == 1,
+                            .material = chambers.material_of(plenum)});
   }
   const std::vector<TurningPoint> turning_points = turning_points_in(result);
   for (const TurningPoint& point : turning_points) {
@@ -118,7 +115,7 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
   add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
   add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
   for (const TurningPoint& point : turning_points) {
-    const std::string of = pressures.size() == 1 ? "" : " of " + point.plenum;
+    const std::string of = pressures.size() == 1 ? "" : " of the " + chambers.name_of(point.plenum);
     add((point.is_limit ? "limit pressure" : "later turning point") + of, io::kilopascals(point.pressure_Pa));
     if (point.volume_m3) add("volume there (cm\u00b3)", shown_number(1e6 * *point.volume_m3));
   }

@@ -140,6 +140,15 @@ def check_ends(browser, check):
     check.that(told == ["", "", " (ended at 2 s)"], f"a walk beside a longer one tells when it ended: {told}")
 
 
+def check_chambers(browser, check):
+    """Pressures are told with the material of their chambers, and materials have one colour in 3-D and in charts. The page has been opened."""
+    told = browser.value("Object.assign(Object.create(Body.prototype), {times: [0, 1], pressures: [[1000, 2000], [500, 0], [500, 0]], chambers: [0, 1, 2, 0], materials: [2, 1, 1, 2]})"
+                         ".pressureText(1)")
+    check.that(told == "pressure 0.00 kPa in material 1, 2.00 kPa in material 2", f"pressures have the material of their chamber: {told!r}")
+    drawn = browser.value("[1, 2].map(m => [materialColour(m).map(c => Math.round(255 * c)), seriesColour(5, {material: m}), seriesColour(5, {})])")
+    check.that(drawn == [[[0, 114, 178], "var(--m1)", "var(--c5)"], [[213, 94, 0], "var(--m2)", "var(--c5)"]], f"materials have one colour: {drawn}")
+
+
 def check_page(browser, check, page, name):
     for scheme in ("light", "dark"):
         browser.prefer(scheme)
@@ -225,6 +234,7 @@ def main():
         browser.settle()
         check_first_view(browser, check)
         check_ends(browser, check)
+        check_chambers(browser, check)
         check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")

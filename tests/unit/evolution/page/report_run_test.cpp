@@ -252,8 +252,10 @@ TEST(ReportRun, SaysWhichChambersAreOfWhichMaterialAndHowADriveSwings) {
     return io::read_whole(write_report(folder, quick()).file);
   };
   const std::string antiphase = inputs_with("mode = \"antiphase\"\nramp_s = 0.6666666666666666\n");
-  EXPECT_NE(antiphase.find("one for each region of cells of one material: plena 0, 2 of material 1; plenum 1 of material 2<"),
-            std::string::npos);
+  EXPECT_NE(
+      antiphase.find("one for each region of cells of one material: chamber 1 of material 1 (plenum 0 in files), chamber of "
+                     "material 2 (plenum 1 in files), chamber 2 of material 1 (plenum 2 in files)<"),
+      std::string::npos);
   EXPECT_NE(antiphase.find("strokes</th><td>3 Hz, a sine, which grows from 0 over the first 2 strokes<"), std::string::npos);
   EXPECT_NE(inputs_with("mode = \"in_phase\"\nramp_s = 0\n").find("strokes</th><td>3 Hz, a sine<"), std::string::npos);
   EXPECT_EQ(inputs_with("mode = \"hold\"\n").find("strokes</th>"), std::string::npos);

@@ -74,6 +74,26 @@ TEST_F(ReportSectionsTest, TakeTheGrowthOfTheChamberThatGrowsMost) {
   EXPECT_EQ(facts.plena, 2U);
 }
 
+TEST_F(ReportSectionsTest, CallChambersByTheirMaterial) {
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,1e-6\n"
+        "1,3000,2e-6,0,1e-6\n");
+  write("inflate/result.toml", "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 1\"\npressure_Pa = 1042\n");
+  CommandOutput pair = output("inflate");
+  pair.stated = {.body = ManifestBody{.layers = {{"21"}}, .cell_edge_m = 0.01}, .chambers = "per-phase"};
+  const PageSection inflation = section({pair}, "inflation");
+  const std::vector<PageSeries>& series = inflation.charts.at(0).series;
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].name, "chamber of material 2");
+  EXPECT_EQ(series[0].material, 2);
+  EXPECT_EQ(series[1].name, "chamber of material 1");
+  EXPECT_EQ(series[1].material, 1);
+  const auto& rows = inflation.tables.at(0).rows;
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row[0] == "limit pressure of the chamber of material 1"; }));
+  pair.stated.chambers = "single";
+  EXPECT_EQ(section({pair}, "inflation").charts.at(0).series.at(0).name, "plenum 0");
+}
+
 TEST_F(ReportSectionsTest, TellTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
   write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,1200,4e-6\n");
   write("inflate/result.toml",
