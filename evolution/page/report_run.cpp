@@ -19,6 +19,7 @@
 #include "evolution/page/result_facts.h"
 #include "evolution/page/verdict.h"
 #include "evolution/page/walk_animation.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/manifest.h"
@@ -88,6 +89,9 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
     caption = std::string("The body, cut open, at the end of its inflation") +
               (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
               ". Thin lines: the body at rest, grey where it was cut away.";
+    if (inflation != inflations.end() && inflation->sideways_m)
+      caption += " It floats free here: seen from its near end, the middle of its far end moves " +
+                 io::millimetres(*inflation->sideways_m) + " sideways.";
   } else if (name == "robot.png" && command_of(output) == "simulate") {
     caption = "The body of voxels at the end of its walk, with the path of its centre.";
   } else if (name == "robot.png") {

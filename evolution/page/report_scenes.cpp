@@ -10,6 +10,8 @@
 
 #include "evolution/page/body_frames.h"
 #include "evolution/page/report_numbers.h"
+#include "evolution/page/result_facts.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -35,7 +37,8 @@ struct ScenePlan {
     int part = 0;
     bool has_phases = true;
     std::optional<ManifestBody> body;
-    fs::path trajectory{};  ///< the table of the centre of mass; empty if there is none
+    std::optional<double> held_cell_m{};  ///< see BodyRequest
+    fs::path trajectory{};                ///< the table of the centre of mass; empty if there is none
   };
   std::vector<Part> parts;
   bool apart = false;      ///< whether the bodies have to be moved beside each other
@@ -173,20 +176,31 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
   }
 }
 
+/// How a body that floats free is shown, and how far it bends.
+std::string held_text(const CommandOutput& inflation) {
+  std::string text = "It floats free; it is shown as if held at its near end, the lower one along its longest side.";
+  if (const auto bend = bend_of(inflation))
+    text += " So the middle of its far end moves " + io::millimetres(bend->sideways_m) + " sideways.";
+  return text;
+}
+
 void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
   for (const CommandOutput& output : outputs) {
     const fs::path fields = output.folder / "fields.pvd";
     if (command_of(output) != "inflate" || !io::is_file(fields)) continue;
+    const bool is_free = output.stated.supports == "free" && output.stated.body;
     plans.push_back({.scene = {.title = "Inflation of " + body_or_place(output),
                                .source = file_of(output, "fields.pvd"),
                                .clock = "path parameter",
-                               .unit = ""},
+                               .unit = "",
+                               .note = is_free ? held_text(output) : ""},
                      .place = output.name,
                      .parts = {{.name = "finite elements",
                                 .folder = output.folder,
                                 .collection = fields,
                                 .has_phases = !output.is_in_phase,
-                                .body = output.stated.body}}});
+                                .body = output.stated.body,
+                                .held_cell_m = is_free ? std::optional(output.stated.body->cell_edge_m) : std::nullopt}}});
   }
 }
 
@@ -291,7 +305,8 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
                                       .frames = found->frames,
                                       .most_bytes = most_bytes / plan.parts.size(),
                                       .has_phases = part.has_phases,
-                                      .body = part.body});
+                                      .body = part.body,
+                                      .held_cell_m = part.held_cell_m});
       if (body.times.size() < found->frames.size()) {
         add_note(std::to_string(body.times.size()) + " of " + std::to_string(found->frames.size()) +
                  " frames are shown; between them the motion is a guess along straight lines.");

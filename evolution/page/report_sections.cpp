@@ -17,6 +17,7 @@
 #include "evolution/page/chart_points.h"
 #include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
+#include "evolution/page/result_facts.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
 #include "io/shown/shown_quantity.h"
@@ -114,6 +115,8 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
   add("elements", shown_number(result.optional_number("elements")));
   add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
   add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
+  if (const auto bend = bend_of(output))
+    add("the middle of its far end moves sideways, seen from the near one (mm)", shown_number(1e3 * bend->sideways_m));
   for (const TurningPoint& point : turning_points) {
     const std::string of = pressures.size() == 1 ? "" : " of the " + chambers.name_of(point.plenum);
     add((point.is_limit ? "limit pressure" : "later turning point") + of, io::kilopascals(point.pressure_Pa));

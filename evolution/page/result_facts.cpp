@@ -9,7 +9,6 @@
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
-#include "evolution/posture/bend.h"
 #include "evolution/posture/fall.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
@@ -65,14 +64,7 @@ InflationFacts inflation_facts(const CommandOutput& output) {
     }
   }
   facts.last_pressure_Pa = last_pressure_Pa(curves);
-  if (output.stated.supports == "free" && output.stated.body) {
-    try {
-      if (const auto bend = bend_in_inflation(output.folder, output.stated.body->cell_edge_m))
-        facts.sideways_m = bend->sideways_m;
-    } catch (const io::InputError&) {
-      // The curves are known without the fields; what shows them in 3-D says that they cannot be read.
-    }
-  }
+  if (const auto bend = bend_of(output)) facts.sideways_m = bend->sideways_m;
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_volume_m3") || !highest) continue;
     const auto at_rest = number_in(curves, 0, column);
@@ -300,6 +292,15 @@ const char* to_string(WalkModel model) {
       return "voxels";
   }
   return "";
+}
+
+std::optional<Bend> bend_of(const CommandOutput& inflation) {
+  if (inflation.stated.supports != "free" || !inflation.stated.body) return std::nullopt;
+  try {
+    return bend_in_inflation(inflation.folder, inflation.stated.body->cell_edge_m);
+  } catch (const io::InputError&) {
+    return std::nullopt;
+  }
 }
 
 ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evolution/page/command_outputs.h"
+#include "evolution/posture/bend.h"
 #include "io/text/run_status.h"
 #include "meshes/load_cases/limit_pressure.h"
 
@@ -162,6 +163,10 @@ struct ReportFacts {
   /// At which the body of a loop balloons by the softest law of its silicone, where that is softer than the law it has.
   std::optional<double> softest_limit_Pa{};
 };
+
+/// Returns how a body that floats free bends in its inflation; nothing for others, or if its states cannot be read, which is told
+/// where they are shown in 3-D.
+std::optional<Bend> bend_of(const CommandOutput& inflation);
 
 /// Reads what the outputs say. @param notes gets a sentence for every file that is missing or cannot be read
 ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes);
