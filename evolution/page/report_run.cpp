@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -13,7 +12,6 @@
 #include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/command_outputs.h"
 #include "evolution/page/input_table.h"
-#include "evolution/page/json_parts.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
 #include "evolution/page/result_facts.h"
@@ -158,18 +156,11 @@ std::string made_text(const fs::path& folder, std::size_t outputs) {
          " of its commands in " + (whole.empty() ? folder : whole).string() + ". One file, which needs no network.";
 }
 
-/// The name of the robot of a loop, of which stages may have an earlier name; empty for other outputs.
-std::string name_in_loop(const CommandOutput& output) {
-  if (command_of(output) != "loop" || !output.place.empty()) return {};
-  const nlohmann::json parameters = nlohmann::json::parse(output.parameters, nullptr, false);
-  const nlohmann::json* robot = object_of(parameters, "robot");
-  return robot == nullptr ? std::string() : text_of(*robot, "name");
-}
-
 /// What the page is about: the robot of a loop, the body of all results, or else the folder.
 std::string title_of(const fs::path& folder, const std::vector<CommandOutput>& outputs) {
-  for (const CommandOutput& output : outputs)
-    if (const std::string name = name_in_loop(output); !name.empty()) return "Report: " + name;
+  // Stages of a loop may have an earlier name.
+  if (const CommandOutput* loop = loop_of(outputs); loop != nullptr && !loop->robot_name.empty())
+    return "Report: " + loop->robot_name;
   std::set<std::string> bodies;
   for (const CommandOutput& output : outputs)
     if (!output.body_name.empty()) bodies.insert(output.body_name);

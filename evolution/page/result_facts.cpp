@@ -1,11 +1,13 @@
 #include "evolution/page/result_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
@@ -103,6 +105,22 @@ std::size_t count_in(const io::CsvContents& table, std::size_t row, const char* 
   return static_cast<std::size_t>(std::max(0.0, number_in(table, row, column).value_or(0.0)));
 }
 
+/// Why numbers of a validation lie outside the range of validity, for people.
+std::vector<std::string> reasons_outside(const io::CsvContents& errors) {
+  const std::array<std::pair<const char*, const char*>, 4> words{{{"chambers", "its chambers are not those of the fit"},
+                                                                  {"size", "it is longer than the bodies of the fit"},
+                                                                  {"pressure", "its pressures are beyond those of the fit"},
+                                                                  {"strain", "it strains more than the fit has seen"}}};
+  std::vector<std::string> reasons;
+  for (const auto& [validity, reason] : words) {
+    bool is_there = false;
+    for (std::size_t row = 0; row < errors.row_count(); ++row)
+      is_there = is_there || text_in(errors, row, "validity") == validity;
+    if (is_there) reasons.emplace_back(reason);
+  }
+  return reasons;
+}
+
 ValidationFacts validation_facts(const CommandOutput& output) {
   ValidationFacts facts{.source = file_of(output, "summary.csv"), .displacement = {}, .volume = {}};
   const io::CsvContents summary = io::read_csv(output.folder / "summary.csv");
@@ -139,6 +157,8 @@ ValidationFacts validation_facts(const CommandOutput& output) {
     if (const std::string status = ended.text("status"); status != "completed")
       facts.early_end = status + ", " + ended.text_or("reason", "no reason");
   }
+  if (const std::filesystem::path errors = output.folder / "errors.csv"; io::is_file(errors))
+    facts.outside_why = reasons_outside(io::read_csv(errors));
   const std::filesystem::path signs_file = output.folder / "signs.csv";
   if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);
@@ -305,6 +325,7 @@ std::optional<Bend> bend_of(const CommandOutput& inflation) {
 
 ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {
   ReportFacts facts;
+  if (const CommandOutput* loop = loop_of(outputs)) facts.robot_walks = loop->robot_walks;
   const std::vector<const CommandOutput*> searches = searches_in(outputs);
   for (const CommandOutput& output : outputs) {
     const std::string command = command_of(output);

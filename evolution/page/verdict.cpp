@@ -213,10 +213,17 @@ Tone tone_of(const ValidationFacts& facts) {
 /// Whether all that was compared lies outside the range of the fit, of one body alone.
 bool is_all_outside(const ValidationFacts& facts) { return facts.bodies == 1 && !facts.displacement.median && facts.outside > 0; }
 
+/// ": it is longer than the bodies of the fit"; empty if it is not known.
+std::string why_text(const ValidationFacts& facts) {
+  return facts.outside_why.empty() ? "" : ": " + io::joined(facts.outside_why, "; ");
+}
+
 Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
-    return {Tone::bad, "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit.",
+    return {Tone::bad,
+            "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit" +
+                why_text(facts) + ".",
             facts.source};
   }
   if (!shapes.median) {
@@ -250,7 +257,8 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   if (shapes.without_equilibrium > 0)
     text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)
-    text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
+    text += " " + counted(facts.outside, "number outside the range of the fit does", "numbers outside the range of the fit do") +
+            " not count here" + why_text(facts) + ".";
   if (facts.bodies == 1 && tone_of(facts) == Tone::bad) text += " Do not trust the surrogate for this body.";
   return {tone_of(facts), text, facts.source};
 }
@@ -633,8 +641,8 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
   const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
   const bool has_other = has([](const WalkFacts& walk) { return walk.model != WalkModel::elements; });
-  if (!has_elements) findings.push_back(missing("A walk on finite elements", "locomote"));
-  if (!has_other) findings.push_back(missing("A walk in the surrogate", "simulate"));
+  if (!has_elements && facts.robot_walks) findings.push_back(missing("A walk on finite elements", "locomote"));
+  if (!has_other && facts.robot_walks) findings.push_back(missing("A walk in the surrogate", "simulate"));
   trust.are_in_both = has_elements && has_other;
   if (trust.are_in_both && pairs.empty()) {
     findings.push_back({Tone::missing,

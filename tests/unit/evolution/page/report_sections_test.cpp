@@ -194,6 +194,26 @@ TEST_F(ReportSectionsTest, TellHowBodiesAreHeld) {
             "slides on the ground, which it does not leave (inflate); free, only its rigid motions are held (validate)");
 }
 
+TEST_F(ReportSectionsTest, TellTheDriveOfARobotThatIsOnlyInflated) {
+  write("manifest.json",
+        R"({"program": "menger-loop", "parameters": {"robot": {"name": "finger"}, "drive": {"mode": "hold", "frequency_Hz": 3,
+            "pressure_Pa": [0, 12000]}, "walk": {"present": false}}})");
+  const CommandOutput loop = read_command_output(folder_ / "manifest.json").value();
+  CommandOutput validation = output("validate");
+  validation.inputs = {{"/x/voxel/parameters/soft_12mm.toml", "00"}};
+  const std::vector<CommandOutput> outputs{loop, validation};
+  const auto value_of = [&](const std::string& name) {
+    const PageTable inputs = input_table(outputs, folder_);
+    const auto row = std::ranges::find_if(inputs.rows, [&](const auto& cells) { return cells.at(0) == name; });
+    return row == inputs.rows.end() ? "" : row->at(1);
+  };
+  EXPECT_EQ(value_of("pressure of the drive"), "0 to 12 kPa");
+  EXPECT_EQ(value_of("mode of the drive"), "held at 12 kPa");
+  EXPECT_EQ(value_of("parameters of the surrogate"), "soft_12mm.toml, which came with menger");
+  EXPECT_FALSE(read_facts({loop}, notes_).robot_walks);
+  EXPECT_TRUE(read_facts({}, notes_).robot_walks);
+}
+
 TEST_F(ReportSectionsTest, ReadsThePressureAtWhichWallsTouch) {
   write("inflate/result.toml", "status = \"wall_contact\"\n");
   write("inflate/curves.csv",
@@ -259,7 +279,7 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
   write("validate/errors.csv",
         "case,body,kind,observable,pressure_Pa,imposed,finite_elements,surrogate,error,pointwise_error,validity\nc,bar,"
         "displacement,extent_x_m,3000,,0.001,0.0012,0.2,0.2,inside\n"
-        "c,bar,displacement,extent_x_m,9000,,0.002,0.0012,0.2,0.2,outside\n");
+        "c,bar,displacement,extent_x_m,9000,,0.002,0.0012,0.2,0.2,pressure\n");
   write("validate/summary.csv",
         "body,kind,range,count,without_equilibrium,median,percentile_90,worst,pointwise_median,worst_body,worst_case\nall,"
         "displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n"
@@ -281,6 +301,7 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
   EXPECT_EQ(facts.displacement.median, 0.2);
   EXPECT_EQ(facts.displacement.without_equilibrium, 2U);
   EXPECT_EQ(facts.outside, 4U);
+  EXPECT_EQ(facts.outside_why, std::vector<std::string>{"its pressures are beyond those of the fit"});
   EXPECT_EQ(facts.bodies, 1U);
   EXPECT_EQ(facts.signs, 9U);
   EXPECT_EQ(facts.wrong_signs, 3U);

@@ -47,6 +47,13 @@ TEST(Verdict, SaysThatNothingWasComputed) {
   }
 }
 
+TEST(Verdict, MissesNoWalkOfARobotThatDoesNotWalk) {
+  ReportFacts facts;
+  facts.robot_walks = false;
+  EXPECT_EQ(finding_with(verdict_of(facts), "A walk").text, "");
+  EXPECT_NE(finding_with(verdict_of({}), "A walk").text, "");
+}
+
 TEST(Verdict, StatesTheLowestLimitPressure) {
   ReportFacts facts;
   facts.inflations = {{.name = "table",
@@ -439,6 +446,14 @@ TEST(Verdict, TrustsTheShapeOfOneBodyWhereTheLoopDoes) {
   EXPECT_EQ(walks_alike.tone, Tone::bad);
   facts.validations = {{.bodies = 1, .displacement = {}, .outside = 36}};
   EXPECT_EQ(finding_with(verdict_of(facts), "all that was compared lies outside").tone, Tone::bad);
+  facts.validations.front().outside_why = {"it is longer than the bodies of the fit",
+                                           "its pressures are beyond those of the fit"};
+  EXPECT_NE(
+      finding_with(verdict_of(facts),
+                   "outside the range of its fit: it is longer than the bodies of the fit; its pressures are beyond those of "
+                   "the fit.")
+          .text,
+      "");
 }
 
 TEST(Verdict, TellsErrorsOfShapesInMillimetresBesideTheirShareOfACurve) {
