@@ -7,6 +7,7 @@
 
 #include "evolution/page/json_parts.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/whole_file.h"
 
 namespace menger::evolution {
@@ -115,6 +116,12 @@ const CommandOutput* loop_of(const std::vector<CommandOutput>& outputs) {
   const auto loop = std::ranges::find_if(
       outputs, [](const CommandOutput& output) { return command_of(output) == "loop" && output.place.empty(); });
   return loop == outputs.end() ? nullptr : &*loop;
+}
+
+std::string name_in_validation(const std::string& body, const CommandOutput& validation, const CommandOutput* loop) {
+  const bool is_of_loop = loop != nullptr && !loop->robot_name.empty() && body == "robot" &&
+                          io::is_file(validation.folder / "curves/robot_inflation.toml");
+  return is_of_loop ? loop->robot_name : body;
 }
 
 std::string command_of(const CommandOutput& output) {

@@ -44,6 +44,9 @@ std::string body_or_place(const CommandOutput& output);
 /// The loop that made the results in the folder of a report; null if none did.
 const CommandOutput* loop_of(const std::vector<CommandOutput>& outputs);
 
+/// The name of a body in the tables of a validation, for people: a loop calls its own body "robot" there.
+std::string name_in_validation(const std::string& body, const CommandOutput& validation, const CommandOutput* loop);
+
 /// The file of voxel parameters that an output took from those that come with menger; empty if it took none of them.
 std::string parameters_of_menger(const CommandOutput& output);
 

@@ -345,39 +345,64 @@ void show_percent(const io::CsvContents& table, const std::string& column, PageT
   for (std::size_t row = 0; row < shown.rows.size(); ++row) shown.rows[row][place] = percent_in(table, row, column);
 }
 
+/// How a body is called in the tables of a validation.
+using BodyName = std::function<std::string(const std::string&)>;
+
+/// Where the largest error of a row lies: "the extent along z", with the load case where there are several.
+std::string worst_text(const io::CsvContents& summary, std::size_t row, bool has_cases) {
+  const std::string observable = text_in(summary, row, "worst_observable");  // none in results of earlier versions
+  const std::string load_case = text_in(summary, row, "worst_case");
+  if (observable.empty()) return load_case;
+  return io::displacement_words(observable) + (has_cases ? ", " + load_case : "");
+}
+
 /// The errors of a validation in per cent. Of one body alone, the sums over all bodies repeat its own numbers, and are left out.
-PageTable summary_table(const io::CsvContents& summary, const std::string& file) {
+PageTable summary_table(const io::CsvContents& summary, const std::string& file, const BodyName& name_of) {
   const std::vector<std::string> bodies = distinct(summary, "body");
   const bool is_one = std::ranges::count_if(bodies, [](const std::string& body) { return body != "all"; }) == 1;
-  PageTable table{.title = "Errors by body, of the largest value in a curve",
-                  .columns = {"body", "kind", "range of the fit", "number", "without equilibrium", "median (%)",
-                              "nine in ten are below (%)", "worst (%)", "worst case"},
-                  .rows = {},
-                  .note = "More columns: " + file + "."};
+  const bool has_cases = distinct(summary, "worst_case").size() > 1;
+  PageTable table{
+      .title = "Errors by body, of the largest value in a curve",
+      .columns = {"body", "kind", "range of the fit", "numbers compared", "numbers where the surrogate has no equilibrium",
+                  "median (%)", "nine in ten are below (%)", "worst (%)", "worst in"},
+      .rows = {},
+      .note =
+          "An error is a difference from finite elements, as a share of the largest value in its curve. More "
+          "columns: " +
+          file + "."};
   const bool has_lengths = summary.has("furthest_m");  // not in results of earlier versions
   if (has_lengths) {
-    table.columns.insert(table.columns.end(), {"furthest off (mm)", "in"});
-    table.note += " Furthest off is the largest difference over the length of a body.";
+    table.columns.insert(table.columns.end(), {"furthest off by (mm)", "furthest off in"});
+    table.note += " Furthest off, in mm, is the displacement whose difference is the largest share of the length of its body.";
   }
   for (std::size_t row = 0; row < summary.row_count(); ++row) {
     const std::string body = text_in(summary, row, "body");
     if (is_one && body == "all") continue;
-    std::string worst = text_in(summary, row, "worst_case");
-    if (body == "all") worst.insert(0, text_in(summary, row, "worst_body") + ", ");
-    table.rows.push_back({body, text_in(summary, row, "kind"), text_in(summary, row, "range"), text_in(summary, row, "count"),
-                          text_in(summary, row, "without_equilibrium"), percent_in(summary, row, "median"),
-                          percent_in(summary, row, "percentile_90"), percent_in(summary, row, "worst"), worst});
+    std::string worst = worst_text(summary, row, has_cases);
+    if (body == "all") worst.insert(0, name_of(text_in(summary, row, "worst_body")) + ", ");
+    table.rows.push_back({body == "all" ? body : name_of(body), text_in(summary, row, "kind"), text_in(summary, row, "range"),
+                          text_in(summary, row, "count"), text_in(summary, row, "without_equilibrium"),
+                          percent_in(summary, row, "median"), percent_in(summary, row, "percentile_90"),
+                          percent_in(summary, row, "worst"), worst});
     if (!has_lengths) continue;
     const auto furthest_m = number_in(summary, row, "furthest_m");
-    std::string furthest = io::shown_column(text_in(summary, row, "furthest_observable")).quantity;
-    if (body == "all" && furthest_m) furthest.insert(0, text_in(summary, row, "furthest_body") + ", ");
+    std::string furthest = io::displacement_words(text_in(summary, row, "furthest_observable"));
+    if (body == "all" && furthest_m) furthest.insert(0, name_of(text_in(summary, row, "furthest_body")) + ", ");
     table.rows.back().push_back(shown_number(furthest_m ? std::optional(1e3 * *furthest_m) : std::nullopt));
     table.rows.back().push_back(furthest);
   }
   return table;
 }
 
-void add_validation(const CommandOutput& output, PageSection& section) {
+/// Whether all numbers of a column are 0 or missing.
+bool is_nought(const io::CsvContents& table, const std::string& column) {
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    if (number_in(table, row, column).value_or(0.0) != 0.0) return false;
+  return true;
+}
+
+void add_validation(const CommandOutput& output, const CommandOutput* loop, PageSection& section) {
+  const BodyName name_of = [&](const std::string& body) { return name_in_validation(body, output, loop); };
   const io::CsvContents errors = io::read_csv(output.folder / "errors.csv");
   PageChart chart{.title = "Displacements in both models: " + file_of(output, "errors.csv"),
                   .x = {.title = "finite elements (mm)"},
@@ -387,7 +412,7 @@ void add_validation(const CommandOutput& output, PageSection& section) {
                   .diagonal = true,
                   .note = "Inside the range of the fit, one series per body."};
   for (const std::string& body : distinct(errors, "body")) {
-    PageSeries series{.name = body, .x = {}, .y = {}, .marks = PageMarks::points};
+    PageSeries series{.name = name_of(body), .x = {}, .y = {}, .marks = PageMarks::points};
     for (std::size_t row = 0; row < errors.row_count(); ++row) {
       const auto elements = number_in(errors, row, "finite_elements");
       const auto surrogate = number_in(errors, row, "surrogate");
@@ -402,19 +427,24 @@ void add_validation(const CommandOutput& output, PageSection& section) {
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (!chart.series.empty()) section.charts.push_back(std::move(chart));
-  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv")));
+  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv"), name_of));
   if (has_file(output, "volume_actuation.csv")) {
     const io::CsvContents actuation = io::read_csv(output.folder / "volume_actuation.csv");
+    std::vector<std::string> columns{"body", "chamber_share", "highest_pressure_Pa", "change_at_highest", "limit_pressure_Pa"};
+    const bool has_vacuum = !is_nought(actuation, "lowest_pressure_Pa");
+    if (has_vacuum) columns.insert(columns.end(), {"lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"});
     section.tables.push_back(shown_table("Change of the outer volume of the body by pressure, on finite elements", actuation,
-                                         {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
-                                          "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
-                                         file_of(output, "volume_actuation.csv")));
+                                         columns, file_of(output, "volume_actuation.csv")));
+    PageTable& table = section.tables.back();
     for (const char* fraction : {"chamber_share", "change_at_highest", "change_at_lowest"})
-      show_percent(actuation, fraction, section.tables.back());
-    section.tables.back().note +=
-        " The share of chambers is that of the whole body at rest. Below 0 is vacuum, down to where walls touch (contact "
-        "pressure); no drive from 0 upwards comes there. These are finite elements of load cases. Those of an inflation may be "
-        "others, and so may its limit pressure: thin-wall elements give limit pressures " +
+      show_percent(actuation, fraction, table);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) table.rows[row].front() = name_of(text_in(actuation, row, "body"));
+    table.note += " The share of chambers is that of the whole body at rest.";
+    if (has_vacuum)
+      table.note += " Below 0 is vacuum, down to where walls touch (contact pressure); no drive from 0 upwards comes there.";
+    table.note +=
+        " These are finite elements of load cases. Those of an inflation may be others, and so may its limit pressure: thin-wall "
+        "elements give limit pressures " +
         meshes::thin_wall_excess_text() + " higher than three-field elements.";
   }
 }
@@ -655,6 +685,9 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   const auto add_searches = [&](const CommandOutput& output, PageSection& section) {
     if (std::ranges::find(searches, &output) != searches.end()) add_search(output, outputs, section);
   };
+  const auto add_validations = [&](const CommandOutput& output, PageSection& section) {
+    add_validation(output, loop_of(outputs), section);
+  };
   const auto each = [&](const char* title, const char* id, const std::map<std::string, Add>& commands) {
     PageSection section{.title = title, .id = id};
     for (const CommandOutput& output : outputs) {
@@ -670,7 +703,7 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   };
   each("Inflation", "inflation", {{"inflate", add_inflation}});
   keep(walk_section(outputs, notes));
-  each("Shapes of the surrogate", "validation", {{"validate", add_validation}});
+  each("Shapes of the surrogate", "validation", {{"validate", add_validations}});
   each("Calibration", "calibration", {{"calibrate", add_calibration}});
   each("Search", "search", {{"evolve", add_searches}, {"export", add_searches}, {"confirm", add_confirmation}});
   each("Robots of the search on finite elements", "ranking", {{"reevaluate", add_reevaluation}});

@@ -121,7 +121,8 @@ std::vector<std::string> reasons_outside(const io::CsvContents& errors) {
   return reasons;
 }
 
-ValidationFacts validation_facts(const CommandOutput& output) {
+ValidationFacts validation_facts(const CommandOutput& output, const CommandOutput* loop) {
+  const auto name_of = [&](const std::string& body) { return name_in_validation(body, output, loop); };
   ValidationFacts facts{.source = file_of(output, "summary.csv"), .displacement = {}, .volume = {}};
   const io::CsvContents summary = io::read_csv(output.folder / "summary.csv");
   std::set<std::string> bodies;
@@ -142,13 +143,13 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .median = number_in(summary, row, "median"),
                   .percentile_90 = number_in(summary, row, "percentile_90"),
                   .worst = number_in(summary, row, "worst"),
-                  .worst_body = text_in(summary, row, "worst_body"),
+                  .worst_body = name_of(text_in(summary, row, "worst_body")),
                   .worst_observable = io::displacement_words(text_in(summary, row, "worst_observable")),
                   .median_m = number_in(summary, row, "median_m"),
                   .worst_m = number_in(summary, row, "worst_m"),
                   .furthest_m = number_in(summary, row, "furthest_m"),
                   .furthest_error = number_in(summary, row, "furthest_error"),
-                  .furthest_body = text_in(summary, row, "furthest_body"),
+                  .furthest_body = name_of(text_in(summary, row, "furthest_body")),
                   .furthest_observable = io::displacement_words(text_in(summary, row, "furthest_observable"))};
   }
   facts.bodies = bodies.size();
@@ -167,7 +168,7 @@ ValidationFacts validation_facts(const CommandOutput& output) {
     const std::size_t wrong = count_in(signs, row, "wrong");
     facts.wrong_signs += wrong;
     if (wrong == 0) continue;
-    std::string way = facts.bodies > 1 ? text_in(signs, row, "body") + " " : "";
+    std::string way = facts.bodies > 1 ? name_of(text_in(signs, row, "body")) + " " : "";
     way += io::shown_column(text_in(signs, row, "observable")).quantity + " (" + std::to_string(wrong) + " of " +
            text_in(signs, row, "count") + ")";
     facts.wrong_ways.push_back(std::move(way));
@@ -335,7 +336,7 @@ ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<st
     try {
       if (command == "inflate") facts.inflations.push_back(inflation_facts(output));
       if (command == "calibrate") facts.calibrations.push_back(calibration_facts(output));
-      if (command == "validate") facts.validations.push_back(validation_facts(output));
+      if (command == "validate") facts.validations.push_back(validation_facts(output, loop_of(outputs)));
       if (command == "simulate" || command == "locomote") facts.walks.push_back(walk_facts(output));
       if (command == "reevaluate") facts.rankings.push_back(ranking_facts(output));
       if (std::ranges::find(searches, &output) != searches.end()) facts.searches.push_back(search_facts(output, outputs));

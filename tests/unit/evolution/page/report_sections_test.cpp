@@ -318,9 +318,11 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
         "top_m,0.00207,0.25\nbar,displacement,inside,36,0.2,2.67,bar,c,extent_y_m,0.0007,0.00108,bar,top_m,0.00207,0.25\n");
   const PageTable table = section({output("validate")}, "validation").tables.at(0);
   ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.columns.at(9), "furthest off (mm)");
+  EXPECT_EQ(table.columns.at(8), "worst in");
+  EXPECT_EQ(table.rows[0].at(8), "the extent along y") << "the only load case goes without saying";
+  EXPECT_EQ(table.columns.at(9), "furthest off by (mm)");
   EXPECT_EQ(table.rows[0].at(9), "2.07");
-  EXPECT_EQ(table.rows[0].at(10), "top");
+  EXPECT_EQ(table.rows[0].at(10), "the height of the top");
   const ErrorFact shapes = read_facts({output("validate")}, notes_).validations.at(0).displacement;
   EXPECT_EQ(shapes.median_m, 0.0007);
   EXPECT_EQ(shapes.worst_m, 0.00108);
@@ -328,6 +330,31 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
   EXPECT_EQ(shapes.furthest_m, 0.00207);
   EXPECT_EQ(shapes.furthest_error, 0.25);
   EXPECT_EQ(shapes.furthest_observable, "the height of the top");
+}
+
+TEST_F(ReportSectionsTest, CallTheBodyOfALoopByItsName) {
+  write("manifest.json", R"({"program": "menger-loop", "parameters": {"robot": {"name": "crab"}}})");
+  write("validate/errors.csv",
+        "case,body,kind,observable,pressure_Pa,finite_elements,surrogate,validity\nc,robot,displacement,top_m,3000,0.001,0.0012,"
+        "inside\n");
+  write("validate/summary.csv",
+        "body,kind,range,count,median,worst,worst_body,worst_case\nall,displacement,inside,1,0.2,0.2,robot,c\n"
+        "robot,displacement,inside,1,0.2,0.2,robot,c\n");
+  write("validate/volume_actuation.csv",
+        "body,highest_pressure_Pa,change_at_highest,limit_pressure_Pa,lowest_pressure_Pa,change_at_lowest,contact_pressure_Pa\n"
+        "robot,1700,0.45,,0,0,\n");
+  const std::vector<CommandOutput> outputs{read_command_output(folder_ / "manifest.json").value(), output("validate")};
+  EXPECT_EQ(section(outputs, "validation").tables.at(0).rows.at(0).at(0), "robot") << "a validation of other bodies";
+  write("validate/curves/robot_inflation.toml", "status = \"completed\"\n");
+  const PageSection validation = section(outputs, "validation");
+  EXPECT_EQ(validation.charts.at(0).series.at(0).name, "crab");
+  EXPECT_EQ(validation.tables.at(0).rows.at(0).at(0), "crab");
+  EXPECT_EQ(validation.tables.at(1).rows, (std::vector<std::vector<std::string>>{{"crab", "1.7", "45"}}));
+  EXPECT_EQ(validation.tables.at(1).columns,
+            (std::vector<std::string>{"body", "highest pressure (kPa)", "change at highest (%)"}))
+      << "no column without numbers, and none of a vacuum that there was not";
+  EXPECT_EQ(validation.tables.at(1).note.find("vacuum"), std::string::npos);
+  EXPECT_EQ(read_facts(outputs, notes_).validations.at(0).displacement.worst_body, "crab");
 }
 
 TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
