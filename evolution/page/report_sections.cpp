@@ -25,6 +25,7 @@
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"
@@ -140,10 +141,16 @@ const char* outcome_file(const CommandOutput& output) {
   return command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
 }
 
-/// The direction along which the progress of all walks of a body counts, of length 1, so that walks which go opposite ways look
-/// so: that of its walk on the finest finite elements, or else of any, which walks at all. Nothing if none does.
-std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, const std::vector<CommandOutput>& outputs) {
-  std::optional<std::array<double, 2>> direction;
+/// A direction along which progress counts, and the walk that goes there.
+struct CommonDirection {
+  std::array<double, 2> along{};  ///< of length 1
+  std::string walk{};             ///< for people: where its results are, with its direction
+};
+
+/// The direction along which the progress of all walks of a body counts, so that walks which go opposite ways look so: that of
+/// its walk on the finest finite elements, or else of any, which walks at all. Nothing if none does.
+std::optional<CommonDirection> common_direction(const CommandOutput& of, const std::vector<CommandOutput>& outputs) {
+  std::optional<CommonDirection> direction;
   double most_elements = -1.0;
   for (const CommandOutput& other : outputs) {
     if (!is_walk(other) || (&other != &of && !are_of_one_body(other.stated, of.stated))) continue;
@@ -156,7 +163,10 @@ std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, c
       const double way_m = moved_m.size() == 3 ? std::hypot(moved_m[0], moved_m[1]) : 0.0;
       if (!(way_m > 0.0) || lengths.value_or(1.0) < meshes::walk_limits::least_body_lengths) continue;
       most_elements = elements;
-      direction = {moved_m[0] / way_m, moved_m[1] / way_m};
+      const std::string angle = shown_whole(std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi);
+      direction = {.along = {moved_m[0] / way_m, moved_m[1] / way_m},
+                   .walk = (other.name.empty() ? heading_of(other) : other.name) + " (" + model_of(other) + ", " + angle +
+                           (angle == "1" || angle == "-1" ? " degree" : " degrees") + " from x)"};
     } catch (const io::InputError&) {
       continue;  // told where its own walk is shown
     }
@@ -164,20 +174,35 @@ std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, c
   return direction;
 }
 
-/// Says in a chart of progress of which series it is the distance from the start. @param are_walks whether a series is of a walk
-void tell_what_is_no_walk(const std::vector<bool>& are_walks, PageChart& progress) {
-  if (std::ranges::find(are_walks, false) == are_walks.end()) return;
+/// What is drawn of a walk in the chart of progress.
+enum class DrawnProgress { of_walk, of_what_is_no_walk, distance };
+
+/// Says in a chart of progress along which directions it counts, what is no walk, and of which series it is the distance from the
+/// start: of what is no walk and has no walk of its body beside it. @param drawn by series
+void tell_what_is_drawn(const std::vector<DrawnProgress>& drawn, const std::vector<std::string>& directions,
+                        PageChart& progress) {
+  const auto has = [&](DrawnProgress one) { return std::ranges::find(drawn, one) != drawn.end(); };
   const std::string distance = "the horizontal distance from its start, since the line to its end is chance.";
-  if (std::ranges::find(are_walks, true) == are_walks.end()) {
+  if (directions.empty()) {
     progress.title = "Distance from the start over time";
     progress.y.title = "distance of the centre of mass from its start (mm)";
     progress.note = "What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
                     " of its length from its start is no walk: drawn is " + distance;
     return;
   }
-  progress.note += " Of what is no walk it is " + distance;
-  for (std::size_t n = 0; n < are_walks.size(); ++n)
-    if (!are_walks[n]) progress.series[n].name += " (no walk: distance from its start)";
+  progress.note =
+      "Along one direction for all walks of a body, that of its walk on the finest finite elements, or else in voxels: " +
+      io::joined(directions, "; ") +
+      ". A curve falls where the body goes back, and one that ends below 0 went the other way. Where a walk goes to "
+      "and fro, distance and direction depend on when one looks.";
+  if (has(DrawnProgress::of_what_is_no_walk))
+    progress.note += " What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
+                     " of its length from its start is no walk, and gives no direction.";
+  if (has(DrawnProgress::distance)) progress.note += " Of what is no walk, and of a body without any, it is " + distance;
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    if (drawn[n] == DrawnProgress::of_what_is_no_walk) progress.series[n].name += " (no walk)";
+    if (drawn[n] == DrawnProgress::distance) progress.series[n].name += " (no walk: distance from its start)";
+  }
 }
 
 /// All walks in one chart of progress over time, one of paths seen from above, and one table.
@@ -186,12 +211,9 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
   PageChart progress{.title = "Progress over time",
                      .x = {.title = "time (s)"},
                      .y = {.title = "progress of the centre of mass (mm)"},
-                     .series = {},
-                     .note =
-                         "Along one direction for all walks of a body, that of its walk on the finest finite elements: a curve "
-                         "falls where the body goes back, and one that ends below 0 went the other way. Where a walk goes to and "
-                         "fro, distance and direction depend on when one looks."};
-  std::vector<bool> are_walks;  // by series
+                     .series = {}};
+  std::vector<DrawnProgress> drawn;  // by series
+  std::vector<std::string> directions;
   PageChart path{.title = "Paths seen from above",
                  .x = {.title = "x (mm)"},
                  .y = {.title = "y (mm)"},
@@ -221,11 +243,22 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       const io::TomlTable result = io::read_toml(output.folder / file);
       const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
       const bool goes_nowhere = lengths && *lengths < meshes::walk_limits::least_body_lengths;
-      std::vector<double> progress_mm =
-          goes_nowhere ? distance_from_start(walk) : progress_of(walk, common_direction(output, outputs));
+      const auto direction_of_body = common_direction(output, outputs);
+      // What ended early has no displacement, and may have a way all the same.
+      const bool has_own_line = !direction_of_body && !goes_nowhere;
+      std::vector<double> progress_mm = direction_of_body ? progress_of(walk, direction_of_body->along)
+                                        : has_own_line    ? progress_of(walk)
+                                                          : distance_from_start(walk);
+      const std::string direction_words = direction_of_body ? direction_of_body->walk
+                                          : has_own_line    ? name + " (the line to its own end)"
+                                                            : "";
+      if (!direction_words.empty() && std::ranges::find(directions, direction_words) == directions.end())
+        directions.push_back(direction_words);
       for (double& value : progress_mm) value *= 1e3;
       progress.series.push_back({.name = name, .x = time_s, .y = std::move(progress_mm), .dashed = dashed});
-      are_walks.push_back(!goes_nowhere);
+      drawn.push_back(!goes_nowhere       ? DrawnProgress::of_walk
+                      : direction_of_body ? DrawnProgress::of_what_is_no_walk
+                                          : DrawnProgress::distance);
       path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
       if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
       const auto moved_m = result.optional_number("horizontal_displacement_m");
@@ -246,7 +279,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
     }
   }
   if (table.rows.empty()) return section;
-  tell_what_is_no_walk(are_walks, progress);
+  tell_what_is_drawn(drawn, directions, progress);
   section.charts = {std::move(progress), std::move(path)};
   if (!energy.series.empty()) section.charts.push_back(std::move(energy));
   section.tables.push_back(std::move(table));

@@ -147,6 +147,12 @@ TEST_F(ReportSectionsTest, DrawsHowAWalkComesBack) {
         "horizontal_displacement_body_lengths = 0.1\n");
   const PageChart progress = section({output("locomote")}, "walks").charts.at(0);
   EXPECT_EQ(progress.title, "Progress over time");
+  write("simulate/trajectory.csv", "time_s,centre_of_mass_x_m,centre_of_mass_y_m\n0,0,0\n1,0,-0.02\n");
+  write("simulate/result.toml", "status = \"diverged\"\ntime_s = 1\n");
+  const PageChart early = section({output("simulate")}, "walks").charts.at(0);
+  EXPECT_NEAR(early.series.at(0).y.at(1), 20.0, 1e-9);
+  EXPECT_NE(early.note.find("simulate, voxels (the line to its own end)"), std::string::npos) << early.note;
+  EXPECT_EQ(early.note.find("no walk"), std::string::npos) << "what ended early is not judged";
   EXPECT_NEAR(progress.series.at(0).y.at(1), -20.0, 1e-9) << "behind its start";
   EXPECT_NEAR(progress.series.at(0).y.at(3), 15.0, 1e-9);
   EXPECT_NEAR(progress.series.at(0).y.at(4), 10.0, 1e-9);
@@ -177,6 +183,20 @@ TEST_F(ReportSectionsTest, DrawsWalksOfOneBodyAlongOneDirection) {
   EXPECT_NEAR(chart.series.at(0).y.back(), -10.0, 1e-9);
   EXPECT_NEAR(chart.series.at(1).y.back(), 10.0, 1e-9) << "the walk on the finest elements";
   EXPECT_NEAR(chart.series.at(2).y.back(), -10.0, 1e-9);
+  EXPECT_NE(chart.note.find("in voxels: locomote_finer (finite elements, 180 degrees from x). A curve"), std::string::npos)
+      << chart.note;
+  EXPECT_EQ(chart.note.find("no walk"), std::string::npos);
+  write("locomote_finer/locomotion.toml",
+        "status = \"completed\"\ntime_s = 1\ndisplacement_m = [-0.01, 0, 0]\nhorizontal_displacement_m = 0.01\n"
+        "horizontal_displacement_body_lengths = 0.08\nelements = 2000\n");
+  const PageChart without = section({coarse, fine, voxels}, "walks").charts.at(0);
+  EXPECT_NEAR(without.series.at(0).y.back(), 10.0, 1e-9);
+  EXPECT_NEAR(without.series.at(1).y.back(), -10.0, 1e-9) << "on one axis with the others, with its sign";
+  EXPECT_TRUE(without.series.at(1).name.ends_with(" (no walk)")) << without.series.at(1).name;
+  EXPECT_NE(without.note.find("in voxels: locomote (finite elements, 0 degrees from x)."), std::string::npos) << without.note;
+  EXPECT_NE(without.note.find("is no walk, and gives no direction"), std::string::npos);
+  fine = walk("locomote_finer", "locomotion.toml", "-0.01", "2000");
+  fine.program = "menger-locomote";
   fine.stated.body->cell_edge_m = 0.02;
   const PageChart apart = section({coarse, fine}, "walks").charts.at(0);
   EXPECT_NEAR(apart.series.at(0).y.back(), 10.0, 1e-9) << "another body has its own direction";
@@ -247,7 +267,7 @@ TEST_F(ReportSectionsTest, DrawsTheDistanceFromTheStartOfWhatIsNoWalk) {
         "horizontal_displacement_body_lengths = 0.6\n");
   const PageChart both = section({output("locomote"), output("simulate")}, "walks").charts.at(0);
   EXPECT_EQ(both.y.title, "progress of the centre of mass (mm)");
-  EXPECT_NE(both.note.find("Of what is no walk it is the horizontal distance"), std::string::npos);
+  EXPECT_NE(both.note.find("Of what is no walk, and of a body without any, it is the horizontal distance"), std::string::npos);
   EXPECT_TRUE(both.series.at(0).name.ends_with("(no walk: distance from its start)")) << both.series.at(0).name;
   EXPECT_EQ(both.series.at(1).name.find("no walk"), std::string::npos);
   EXPECT_NEAR(both.series.at(1).y.at(1), -10.0, 1e-9) << "a walk is drawn along its line";
