@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "evolution/page/verdict.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/printable.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/shape_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -181,6 +183,17 @@ std::vector<std::pair<std::string, std::string>> explained_words() {
        "how far an inflation has come along its path of pressures or volumes: at 1, 2, ... it has those that its study names."},
       {"range of the fit", "the pressures, lengths and walls that the surrogate was fitted to."},
       {"body length", "the longest side of the body at rest; 2 body lengths is twice as far as the body is long."},
+      {"displacement that goes the wrong way", "one that has another sign in the surrogate; only those of at least " +
+                                                   io::millimetres(meshes::smallest_signed_m) +
+                                                   " have one, so that fewer are counted than are compared."},
+      {"rank correlation",
+       "1 if both models put robots in the same order, 0 if one order tells nothing of the other, -1 if they are opposite. "
+       "Spearman "
+       "and Kendall count it in two ways."},
+      {"95 % from, to", "the interval that holds the true value in 19 of 20 such samples of robots."},
+      {"champion, age", "the best robot, and for how many generations its line has lived since its eldest ancestor was new."},
+      {"phenotype", "the cells of a body as digits, along x first, then y, then z: 0 is empty, 1 and 2 are materials."},
+      {"period, stroke", "once up and down of the pressure of the drive."},
       {"fitness", "what a search makes as large as it can: how far a robot goes, unless its study says otherwise."},
   };
 }

@@ -54,7 +54,7 @@ std::vector<std::string> ending_with(const io::CsvContents& table, std::string_v
 
 void add_notes_of(const io::TomlTable& table, std::vector<std::string>& words) {
   if (!table.has("notes")) return;
-  for (const std::string& note : table.texts("notes")) words.push_back(note + ".");
+  for (const std::string& note : table.texts("notes")) words.push_back(with_rounded_numbers(note) + ".");
 }
 
 /// A pressure at which the path of an inflation turns.
@@ -163,10 +163,9 @@ std::optional<CommonDirection> common_direction(const CommandOutput& of, const s
       const double way_m = moved_m.size() == 3 ? std::hypot(moved_m[0], moved_m[1]) : 0.0;
       if (!(way_m > 0.0) || lengths.value_or(1.0) < meshes::walk_limits::least_body_lengths) continue;
       most_elements = elements;
-      const std::string angle = shown_whole(std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi);
       direction = {.along = {moved_m[0] / way_m, moved_m[1] / way_m},
-                   .walk = (other.name.empty() ? heading_of(other) : other.name) + " (" + model_of(other) + ", " + angle +
-                           (angle == "1" || angle == "-1" ? " degree" : " degrees") + " from x)"};
+                   .walk = (other.name.empty() ? heading_of(other) : other.name) + " (" + model_of(other) + ", " +
+                           degrees_text(std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi) + " from x)"};
     } catch (const io::InputError&) {
       continue;  // told where its own walk is shown
     }
@@ -224,10 +223,12 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                    .x = {.title = "time (s)"},
                    .y = {.title = "imbalance of energy (mJ)"},
                    .series = {}};
-  PageTable table{.title = "Walks",
-                  .columns = {"model", "distance (mm)", "distance (body lengths)", "speed (body lengths / min)",
-                              "direction (degrees from x)", "time (s)", "status", "body", "from"},
-                  .rows = {}};
+  PageTable table{
+      .title = "Walks, from start to end",
+      .columns = {"model", "distance (mm)", "distance (body lengths)", "speed (body lengths / min)", "direction (degrees from x)",
+                  "time (s)", "status", "body", "from"},
+      .rows = {},
+      .note = "Distance, speed and direction are those of the centre of mass from the start to the end of each walk."};
   for (const CommandOutput& output : outputs) {
     if (!is_walk(output)) continue;
     try {
@@ -504,6 +505,14 @@ void add_load_cases(const CommandOutput& output, PageSection& section) {
   if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
+/// The columns of a table of a search that people need to know what came out; what is left out is for who studies searches.
+std::vector<std::string> telling_columns(const io::CsvContents& table) {
+  std::vector<std::string> columns = table.columns();
+  constexpr std::array left_out{"hausdorff_dimension", "cached", "pruned", "outside_validity", "champion_outside_validity"};
+  std::erase_if(columns, [&](const std::string& column) { return std::ranges::find(left_out, column) != left_out.end(); });
+  return columns;
+}
+
 void add_search(const CommandOutput& output, const std::vector<CommandOutput>& outputs, PageSection& section) {
   const SearchTables tables = read_search_tables(output, outputs);
   const std::string best = fitness_column(tables.generations);
@@ -523,8 +532,8 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
     chart.series.push_back(
         {.name = "mean of the survivors", .x = generations, .y = column_of(tables.generations, *means), .dashed = true});
   section.charts.push_back(std::move(chart));
-  std::vector<std::string> columns = tables.generations.columns();
-  section.tables.push_back(shown_table("Generations: " + tables.source, tables.generations, columns, tables.source));
+  section.tables.push_back(
+      shown_table("Generations: " + tables.source, tables.generations, telling_columns(tables.generations), tables.source));
   if (!tables.lineage || tables.lineage->row_count() == 0) return;
   const io::CsvContents& lineage = *tables.lineage;
   const auto fitness =
@@ -544,22 +553,107 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
                               .note = "Each point is the parent of the next."});
   }
   section.tables.push_back(shown_table("Lineage of " + tables.lineage_of + ": " + tables.lineage_source, lineage,
-                                       lineage.columns(), tables.lineage_source));
+                                       telling_columns(lineage), tables.lineage_source));
 }
 
-/// Whether a re-evaluation compares its finite elements with those of the search, not with voxels.
-bool compares_elements(const CommandOutput& output) {
+/// What a re-evaluation compares, by its manifest.
+struct ReevaluationWords {
+  std::string search;  ///< the model that decided the search, or the one beside finite elements: "search (draft finite elements)"
+  std::string elements = "finite elements";  ///< of the re-evaluation: "standard finite elements"
+  std::string measure;                       ///< of distances and directions; empty if it is not known
+};
+
+/// "draft finite elements", by the table of elements of a study
+std::string elements_words(const nlohmann::json* elements) {
+  const std::string fidelity = elements == nullptr ? "" : text_of(*elements, "fidelity");
+  return fidelity + (fidelity.empty() ? "" : " ") + "finite elements";
+}
+
+/// How a search measures its walks, for people; empty if it is not known.
+std::string measure_words(const nlohmann::json& search) {
+  const nlohmann::json* evaluation = object_of(search, "evaluation");
+  const std::string measure = evaluation == nullptr ? "" : text_of(*evaluation, "measure");
+  if (measure == "last_periods")
+    return "in one period of the drive, of the last " + shown_number(number_of(*evaluation, "measure_periods"));
+  if (measure != "net_displacement") return "";
+  const nlohmann::json* time = object_of(search, "time");
+  const double from_s = time == nullptr ? 0.0 : number_of(*time, "measure_from_s").value_or(0.0);
+  return "from " + (from_s > 0.0 ? shown_number(from_s) + " s" : std::string("the start")) + " to the end";
+}
+
+ReevaluationWords reevaluation_words(const CommandOutput& output) {
   const nlohmann::json parameters = nlohmann::json::parse(output.parameters, nullptr, false);
+  ReevaluationWords words{.search = "surrogate", .measure = {}};
+  if (!parameters.is_object()) return words;
+  words.elements = elements_words(object_of(parameters, "elements"));
   const nlohmann::json* search = object_of(parameters, "search");
-  const nlohmann::json* evaluation = search == nullptr ? nullptr : object_of(*search, "evaluation");
-  return evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels";
+  if (search == nullptr) return words;
+  words.measure = measure_words(*search);
+  // The file has one set of columns, called surrogate, for whatever model decided the search.
+  const nlohmann::json* evaluation = object_of(*search, "evaluation");
+  if (evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels")
+    words.search = "search (" + elements_words(object_of(*search, "elements")) + ")";
+  return words;
+}
+
+/// The heads of a table of robots in both models: each with its model.
+void name_models(const ReevaluationWords& words, PageTable& robots) {
+  constexpr std::string_view speed = " (body lengths / min)";
+  for (std::string& title : robots.columns) {
+    for (const auto& [model, name] : {std::pair<std::string_view, std::string>{"surrogate", words.search},
+                                      std::pair<std::string_view, std::string>{"elements", words.elements}})
+      if (title.starts_with(model)) title = name + ":" + title.substr(model.size());
+    if (title.ends_with(":" + std::string(speed))) title.insert(title.size() - speed.size(), " speed");
+    if (title == "angle (degrees)") title = "angle between both (degrees)";
+    if (title.ends_with(": relative error")) title = words.search + ": error of the displacement (share)";
+  }
+  if (!words.measure.empty()) {
+    robots.title += ", " + words.measure;
+    robots.note += " Speeds and directions are those " + words.measure +
+                   "; those in the table of walks are from start to end, and may differ.";
+  }
+  if (words.search != "surrogate") robots.note += " Columns of the search are called surrogate in the file.";
+}
+
+/// What a row of ranking.csv is about, for people.
+std::string ranking_words(const std::string& quantity) {
+  if (quantity == "spearman") return "rank correlation of distances (Spearman)";
+  if (quantity == "kendall") return "rank correlation of distances (Kendall)";
+  constexpr std::string_view direction = "direction_within_";
+  constexpr std::string_view top = "top_";
+  const auto number_after = [&](std::string_view begin) {
+    return quantity.substr(begin.size(), quantity.find('_', begin.size()) - begin.size());
+  };
+  if (quantity.starts_with(direction)) return "share of directions within " + number_after(direction) + " degrees";
+  if (quantity.starts_with(top) && quantity.ends_with("_relative_regret"))
+    return "the same as a share of the best, best " + number_after(top);
+  if (quantity.starts_with(top) && quantity.find("_regret_") != std::string::npos)
+    return "speed lost if finite elements judge only the search's best " + number_after(top) + " (body lengths / min)";
+  return io::shown_column(quantity).title();
+}
+
+/// How well a search ranks. Rows without a value are left out.
+PageTable ranking_table(const io::CsvContents& ranking, const std::string& file) {
+  PageTable table{.title = "How well the search ranks",
+                  .columns = {"robots", "quantity", "value", "95 % from", "95 % to", "counted", "of"},
+                  .rows = {},
+                  .note = "How each is computed: " + file + "."};
+  for (std::size_t row = 0; row < ranking.row_count(); ++row) {
+    if (!number_in(ranking, row, "value")) continue;
+    std::vector<std::string> cells{text_in(ranking, row, "designs"), ranking_words(text_in(ranking, row, "quantity"))};
+    for (const char* column : {"value", "low_95", "high_95", "count", "of"})
+      cells.push_back(shown_cell(ranking, row, io::shown_column(column)));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
 }
 
 void add_reevaluation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
-  PageChart chart{.title = "Speeds of robots in both models",
-                  .x = {.title = "model of the search (body lengths / min)"},
-                  .y = {.title = "finite elements (body lengths / min)"},
+  const ReevaluationWords words = reevaluation_words(output);
+  PageChart chart{.title = "Speeds of robots in both models" + (words.measure.empty() ? "" : ", " + words.measure),
+                  .x = {.title = words.search + " (body lengths / min)"},
+                  .y = {.title = words.elements + " (body lengths / min)"},
                   .series = {},
                   .diagonal = true,
                   .note = "A robot on the diagonal walks as fast in both. From " + file_of(output, "reevaluation.csv") + "."};
@@ -583,18 +677,10 @@ void add_reevaluation(const CommandOutput& output, PageSection& section) {
                    "surrogate_direction_deg", "elements_status", "elements_body_lengths_per_minute", "elements_direction_deg",
                    "distance_ratio", "angle_deg", "surrogate_relative_error"},
                   file_of(output, "reevaluation.csv"));
-  if (compares_elements(output)) {
-    // The file has one set of columns for whatever model decided the search.
-    for (std::string& title : robots.columns)
-      if (title.starts_with("surrogate")) title.replace(0, std::string_view("surrogate").size(), "search");
-    robots.note += " Columns of the search are called surrogate there.";
-  }
+  name_models(words, robots);
   section.tables.push_back(std::move(robots));
-  if (has_file(output, "ranking.csv")) {
-    section.tables.push_back(shown_table("How well the search ranks", io::read_csv(output.folder / "ranking.csv"),
-                                         {"designs", "quantity", "value", "low_95", "high_95", "count", "of", "method"},
-                                         file_of(output, "ranking.csv")));
-  }
+  if (has_file(output, "ranking.csv"))
+    section.tables.push_back(ranking_table(io::read_csv(output.folder / "ranking.csv"), file_of(output, "ranking.csv")));
   if (has_file(output, "variants.csv")) {
     section.tables.push_back(shown_table(
         "How far the finite elements themselves can be known", io::read_csv(output.folder / "variants.csv"),
@@ -685,7 +771,7 @@ PageSection provenance_section(const std::vector<CommandOutput>& outputs) {
     for (const auto& [file, hash] : output.inputs)
       inputs.rows.push_back({output.name.empty() ? "." : output.name, file, hash.substr(0, 16)});
     for (const std::string& note : output.notes)
-      section.words.push_back((output.name.empty() ? command_of(output) : output.name) + ": " + note + ".");
+      section.words.push_back((output.name.empty() ? command_of(output) : output.name) + ": " + with_rounded_numbers(note) + ".");
   }
   section.tables.push_back(std::move(runs));
   constexpr std::size_t most_inputs = 300;

@@ -253,7 +253,8 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   text += ".";
   if (facts.wrong_signs > 0)
     text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
-            " go the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
+            " of at least " + io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
+            " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
   if (shapes.without_equilibrium > 0)
     text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)

@@ -38,7 +38,8 @@ TEST_F(ShapeVerdict, WarnsOfShapesThatTheSurrogateMisses) {
   write("0.1", "5");
   expect_has(
       verdict(),
-      "Do not trust the surrogate's shape of this body: 10 % off in the median; 5 of 10 displacements go the wrong way (the "
+      "Do not trust the surrogate's shape of this body: 10 % off in the median; 5 of 10 displacements of at least 0.2 mm go "
+      "the wrong way (the "
       "extent along x). See validate/worst.png.");
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate's shape of this body: 30 % off");

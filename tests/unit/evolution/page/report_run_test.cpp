@@ -482,6 +482,14 @@ TEST(ReportNumbers, HaveNoSignAtNought) {
   EXPECT_EQ(shown_whole(-7.4), "-7");
 }
 
+TEST(ReportNumbers, RoundNumbersInTextsOnly) {
+  EXPECT_EQ(with_rounded_numbers("(0.018449999999999998, -0.036000000000000004, 12.5) m"), "(0.01845, -0.036, 12.5) m");
+  for (const char* kept :
+       {"version 0.1.0", "a1.23456789", "1.2345.67890123", "1.23456789e-7", "2122120002122122", "0.123456", ""})
+    EXPECT_EQ(with_rounded_numbers(kept), kept);
+  EXPECT_EQ(degrees_text(-1.2), "-1 degree");
+}
+
 TEST(ReportNumbers, KeepCountsAndDigitsOfBodies) {
   const io::CsvContents table = io::parse_csv("a,b_m,c,d\n22500,0.0123456,2122120002122122,\n", "t.csv");
   EXPECT_EQ(shown_cell(table, 0, io::shown_column("a")), "22500");

@@ -43,7 +43,8 @@ class ReportSectionsTest : public testing::Test {
 TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,2500,4e-6\n");
   write("inflate/result.toml",
-        "status = \"completed\"\nnotes = [\"coarse\"]\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 3042\nvolume_m3 = "
+        "status = \"completed\"\nnotes = [\"coarse at (0.018449999999999998, 0.024) m\"]\n[[limit_points]]\nplenum = \"plenum "
+        "0\"\npressure_Pa = 3042\nvolume_m3 = "
         "2.1e-6\n[[limit_points]]\nplenum = \"plenum "
         "0\"\npressure_Pa = -200\nvolume_m3 = 5e-7\n");
   const PageSection inflation = section({output("inflate")}, "inflation");
@@ -56,7 +57,7 @@ TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   ASSERT_EQ(chart.markers.size(), 2U);
   EXPECT_FALSE(chart.markers.front().vertical);
   EXPECT_EQ(chart.markers.front().label, "limit pressure 3.04 kPa");
-  EXPECT_EQ(inflation.words, std::vector<std::string>{"coarse."});
+  EXPECT_EQ(inflation.words, std::vector<std::string>{"coarse at (0.01845, 0.024) m."});
   // The verdict takes the limit pressure above 0, and the growth at the highest pressure.
   const ReportFacts facts = read_facts({output("inflate")}, notes_);
   ASSERT_EQ(facts.inflations.size(), 1U);
@@ -383,11 +384,18 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
         "error\n1,7,top,20,3,1,2\n2,9,top,21,2,,\n3,4,sample,20,1,4,0.5\n");
   write("reevaluate/ranking.csv",
         "designs,quantity,value,low_95,high_95,count,of,method\ntop,spearman,1,,,2,2,m\nall,spearman,-0.5,-0.9,0.2,2,3,m\nall,"
-        "direction_within_45_deg,0.5,0.1,0.9,1,2,m\n");
+        "direction_within_45_deg,0.5,0.1,0.9,1,2,m\nall,top_1_regret_body_lengths_per_minute,0.25,,,2,1,m\n"
+        "all,top_2_relative_regret,,,,0,2,m\n");
   const PageSection ranking = section({output("reevaluate")}, "ranking");
   ASSERT_EQ(ranking.charts.size(), 1U);
   ASSERT_EQ(ranking.charts[0].series.size(), 2U);
   EXPECT_EQ(ranking.charts[0].series[0].y, std::vector<double>{1.0});
+  const PageTable& ranks = ranking.tables.at(1);
+  ASSERT_EQ(ranks.rows.size(), 4U) << "nothing without a value";
+  EXPECT_EQ(ranks.rows[1],
+            (std::vector<std::string>{"all", "rank correlation of distances (Spearman)", "-0.5", "-0.9", "0.2", "2", "3"}));
+  EXPECT_EQ(ranks.rows[2].at(1), "share of directions within 45 degrees");
+  EXPECT_EQ(ranks.rows[3].at(1), "speed lost if finite elements judge only the search's best 1 (body lengths / min)");
   const auto has_columns_of_search = [&](const std::string& parameters) {
     CommandOutput made = output("reevaluate");
     made.parameters = parameters;
@@ -398,6 +406,22 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
   EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "voxels"}}})"));
   EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "voxels", "search": {"evaluation": {"model": "both"}}})"));
   EXPECT_TRUE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "finite_elements"}}})"));
+  CommandOutput both = output("reevaluate");
+  both.parameters =
+      R"({"compare_with": "search", "elements": {"fidelity": "standard"}, "search": {"elements": {"fidelity": "draft"},
+          "evaluation": {"model": "finite_elements", "measure": "last_periods", "measure_periods": 5}}})";
+  const PageSection measured = section({both}, "ranking");
+  const PageTable robots = measured.tables.at(0);
+  EXPECT_EQ(robots.title, "Robots in both models, in one period of the drive, of the last 5");
+  EXPECT_EQ(robots.columns, (std::vector<std::string>{"rank", "individual", "selection", "cells",
+                                                      "search (draft finite elements): speed (body lengths / min)",
+                                                      "standard finite elements: speed (body lengths / min)",
+                                                      "search (draft finite elements): error of the displacement (share)"}));
+  EXPECT_EQ(measured.charts.at(0).x.title, "search (draft finite elements) (body lengths / min)");
+  EXPECT_NE(robots.note.find("those in the table of walks are from start to end"), std::string::npos);
+  both.parameters =
+      R"({"search": {"evaluation": {"model": "voxels", "measure": "net_displacement"}, "time": {"measure_from_s": 0.5}}})";
+  EXPECT_EQ(section({both}, "ranking").tables.at(0).title, "Robots in both models, from 0.5 s to the end");
   const RankingFacts facts = read_facts({output("reevaluate")}, notes_).rankings.at(0);
   EXPECT_EQ(facts.designs, 3U);
   EXPECT_EQ(facts.compared, 2U);
@@ -409,10 +433,14 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
 
 TEST_F(ReportSectionsTest, ShowTheProgressAndLineageOfAnExportedSearch) {
   write("export/generations.csv",
-        "generation,best_fitness_body_lengths,champion,mean_fitness_body_lengths,evaluations\n0,0.1,1,0.05,4\n1,0.3,7,0.1,5\n");
+        "generation,best_fitness_body_lengths,champion,hausdorff_dimension,mean_fitness_body_lengths,evaluations,pruned\n"
+        "0,0.1,1,2.7,0.05,4,0\n1,0.3,7,2.7,0.1,5,0\n");
   write("export/lineage.csv",
         "generation,individual,parent,fitness_body_lengths,cells,phenotype\n0,1,,0.1,20,111000\n1,7,1,0.3,21,111100\n");
   const PageSection search = section({output("export")}, "search");
+  EXPECT_EQ(search.tables.at(0).columns, (std::vector<std::string>{"generation", "best fitness (body lengths)", "champion",
+                                                                   "mean fitness (body lengths)", "evaluations"}));
+  EXPECT_TRUE(search.tables.at(0).note.starts_with("More columns")) << search.tables.at(0).note;
   ASSERT_EQ(search.charts.size(), 2U);
   EXPECT_EQ(search.charts[0].series[0].y, (std::vector<double>{0.1, 0.3}));
   EXPECT_EQ(search.charts[1].series[0].labels[1], "individual 7, 21 cells, 111100");
