@@ -94,10 +94,11 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
                             .x = column_of(curves, plenum + "_volume_m3", 1e6),
                             .y = column_of(curves, pressure, 1e-3),
                             .marks = PageMarks::line_and_points,
-                            // Chambers alike have the same curve: the one below shows through the gaps.
-                            .dashed = chart.series.size() % 2 == 1,
                             .material = chambers.material_of(plenum)});
   }
+  join_equal_series(chart);
+  // Some chambers have nearly the same curve: the one below shows through the gaps.
+  for (std::size_t n = 1; n < chart.series.size(); n += 2) chart.series[n].dashed = true;
   const std::vector<TurningPoint> turning_points = turning_points_in(result);
   for (const TurningPoint& point : turning_points) {
     chart.markers.push_back(
@@ -379,6 +380,13 @@ void show_percent(const io::CsvContents& table, const std::string& column, PageT
   for (std::size_t row = 0; row < shown.rows.size(); ++row) shown.rows[row][place] = percent_in(table, row, column);
 }
 
+/// Whether all numbers of a column are 0 or missing.
+bool is_nought(const io::CsvContents& table, const std::string& column) {
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    if (number_in(table, row, column).value_or(0.0) != 0.0) return false;
+  return true;
+}
+
 /// How a body is called in the tables of a validation.
 using BodyName = std::function<std::string(const std::string&)>;
 
@@ -409,6 +417,7 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file,
     table.columns.insert(table.columns.end(), {"furthest off by (mm)", "furthest off in"});
     table.note += " Furthest off, in mm, is the displacement whose difference is the largest share of the length of its body.";
   }
+  constexpr std::size_t without_equilibrium = 4;
   for (std::size_t row = 0; row < summary.row_count(); ++row) {
     const std::string body = text_in(summary, row, "body");
     if (is_one && body == "all") continue;
@@ -425,14 +434,11 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file,
     table.rows.back().push_back(shown_number(furthest_m ? std::optional(1e3 * *furthest_m) : std::nullopt));
     table.rows.back().push_back(furthest);
   }
+  if (is_nought(summary, "without_equilibrium")) {
+    table.columns.erase(table.columns.begin() + without_equilibrium);
+    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + without_equilibrium);
+  }
   return table;
-}
-
-/// Whether all numbers of a column are 0 or missing.
-bool is_nought(const io::CsvContents& table, const std::string& column) {
-  for (std::size_t row = 0; row < table.row_count(); ++row)
-    if (number_in(table, row, column).value_or(0.0) != 0.0) return false;
-  return true;
 }
 
 void add_validation(const CommandOutput& output, const CommandOutput* loop, PageSection& section) {
@@ -765,7 +771,7 @@ PageSection provenance_section(const std::vector<CommandOutput>& outputs) {
                  .note = "From the manifest of each folder, which also has every parameter."};
   PageTable inputs{.title = "Input files", .columns = {"read by", "file", "SHA-256"}, .rows = {}};
   for (const CommandOutput& output : outputs) {
-    runs.rows.push_back({output.name.empty() ? "." : output.name, command_of(output), output.version,
+    runs.rows.push_back({output.place.empty() ? "." : output.place, command_of(output), output.version,
                          shown_number(output.seconds), output.seed ? std::to_string(*output.seed) : "\u2013",
                          std::to_string(output.inputs.size())});
     for (const auto& [file, hash] : output.inputs)
@@ -796,7 +802,10 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   std::vector<PageSection> sections;
   const auto keep = [&](PageSection section) {
     keep_distinct(section.words);
-    for (PageChart& chart : section.charts) thin_series(chart);
+    for (PageChart& chart : section.charts) {
+      join_equal_series(chart);
+      thin_series(chart);
+    }
     if (!section.charts.empty() || !section.tables.empty() || !section.words.empty()) sections.push_back(std::move(section));
   };
   using Add = std::function<void(const CommandOutput&, PageSection&)>;

@@ -149,6 +149,21 @@ def check_chambers(browser, check):
     check.that(drawn == [[[0, 114, 178], "var(--m1)", "var(--c5)"], [[213, 94, 0], "var(--m2)", "var(--c5)"]], f"materials have one colour: {drawn}")
 
 
+def check_narrow_table(browser, check):
+    """On a phone, a table of long texts has rows of few lines, and is scrolled in one direction only. The page has been opened."""
+    browser.resize(390, 844)
+    rows = ", ".join("['speed lost if finite elements judge only the best 1 (body lengths / min)', 'completed', '0.2065', '1', '1', '2', '3']" for _ in range(11))
+    browser.value("drawTable({title: 'narrow', note: '', columns: ['quantity', 'status', 'search (draft finite elements): speed (body lengths / min)', 'a', 'b', 'c', 'd'], "
+                  f"rows: [{rows}]}}, document.getElementById('sections'))")
+    browser.settle()
+    lines = browser.value("(() => { const table = [...document.querySelectorAll('.table')].pop(), height = (row) => row.getBoundingClientRect().height / parseFloat(getComputedStyle(row).fontSize);"
+                          " return [...table.querySelectorAll('tr')].map(height).concat([table.scrollHeight - table.clientHeight]); })()")
+    check.that(lines[0] < 9 and max(lines[1:-1]) < 7, f"a narrow screen has rows of few lines (heights {lines[0]:.1f} and {max(lines[1:-1]):.1f} em)")
+    check.that(lines[-1] <= 1, f"a narrow screen scrolls a table in one direction ({lines[-1]} pixels hidden below)")
+    wide = browser.value("document.documentElement.scrollWidth")
+    check.that(wide <= 390, f"a table is no wider than its screen ({wide})")
+
+
 def check_page(browser, check, page, name):
     for scheme in ("light", "dark"):
         browser.prefer(scheme)
@@ -238,6 +253,7 @@ def main():
         check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")
+        check_narrow_table(browser, check)
         check_bad_chart(browser, check)
         browser.resize(1400, 1000)
         check_margins(browser, check)

@@ -95,6 +95,18 @@ TEST_F(ReportSectionsTest, CallChambersByTheirMaterial) {
   EXPECT_EQ(section({pair}, "inflation").charts.at(0).series.at(0).name, "plenum 0");
 }
 
+TEST_F(ReportSectionsTest, DrawChambersAlikeAsOneCurve) {
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3,plenum_2_pressure_Pa,"
+        "plenum_2_volume_m3\n0,0,1e-6,0,1.0000001e-6,0,1e-6\n1,3000,2e-6,3000,2e-6,3000,2.1e-6\n");
+  write("inflate/result.toml", "status = \"completed\"\n");
+  const std::vector<PageSeries> series = section({output("inflate")}, "inflation").charts.at(0).series;
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].name, "plenum 0, plenum 1");
+  EXPECT_EQ(series[1].name, "plenum 2");
+  EXPECT_TRUE(series[1].dashed);
+}
+
 TEST_F(ReportSectionsTest, TellTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
   write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,1200,4e-6\n");
   write("inflate/result.toml",
@@ -339,11 +351,11 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
         "top_m,0.00207,0.25\nbar,displacement,inside,36,0.2,2.67,bar,c,extent_y_m,0.0007,0.00108,bar,top_m,0.00207,0.25\n");
   const PageTable table = section({output("validate")}, "validation").tables.at(0);
   ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.columns.at(8), "worst in");
-  EXPECT_EQ(table.rows[0].at(8), "the extent along y") << "the only load case goes without saying";
-  EXPECT_EQ(table.columns.at(9), "furthest off by (mm)");
-  EXPECT_EQ(table.rows[0].at(9), "2.07");
-  EXPECT_EQ(table.rows[0].at(10), "the height of the top");
+  EXPECT_EQ(table.columns.at(7), "worst in") << "without a column of states without equilibrium, of which there are none";
+  EXPECT_EQ(table.rows[0].at(7), "the extent along y") << "the only load case goes without saying";
+  EXPECT_EQ(table.columns.at(8), "furthest off by (mm)");
+  EXPECT_EQ(table.rows[0].at(8), "2.07");
+  EXPECT_EQ(table.rows[0].at(9), "the height of the top");
   const ErrorFact shapes = read_facts({output("validate")}, notes_).validations.at(0).displacement;
   EXPECT_EQ(shapes.median_m, 0.0007);
   EXPECT_EQ(shapes.worst_m, 0.00108);
@@ -484,6 +496,12 @@ TEST_F(ReportSectionsTest, ListLoadCasesWithTheirStatus) {
   ASSERT_EQ(cases.tables.size(), 1U);
   EXPECT_EQ(cases.tables[0].rows,
             (std::vector<std::vector<std::string>>{{"stretch", "stretch", "wall_contact", "two walls touch", "2"}}));
+}
+
+TEST_F(ReportSectionsTest, NameTheFolderOfARun) {
+  CommandOutput mesh = output("mesh");
+  mesh.name = "mesh/mesh_manifest.json";
+  EXPECT_EQ(section({mesh}, "provenance").tables.at(0).rows.at(0).at(0), "mesh");
 }
 
 TEST_F(ReportSectionsTest, SayWhatCannotBeReadAndGoOn) {
