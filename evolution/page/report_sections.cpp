@@ -580,7 +580,7 @@ std::string measure_words(const nlohmann::json& search) {
   const nlohmann::json* evaluation = object_of(search, "evaluation");
   const std::string measure = evaluation == nullptr ? "" : text_of(*evaluation, "measure");
   if (measure == "last_periods")
-    return "in one period of the drive, of the last " + shown_number(number_of(*evaluation, "measure_periods"));
+    return "in a period of the drive, by its last " + shown_number(number_of(*evaluation, "measure_periods"));
   if (measure != "net_displacement") return "";
   const nlohmann::json* time = object_of(search, "time");
   const double from_s = time == nullptr ? 0.0 : number_of(*time, "measure_from_s").value_or(0.0);
@@ -632,7 +632,7 @@ std::string ranking_words(const std::string& quantity) {
   };
   if (quantity.starts_with(direction)) return "share of directions within " + number_after(direction) + " degrees";
   if (quantity.starts_with(top) && quantity.ends_with("_relative_regret"))
-    return "the same as a share of the best, best " + number_after(top);
+    return "that loss as a share of the best speed, with the search's best " + number_after(top);
   if (quantity.starts_with(top) && quantity.find("_regret_") != std::string::npos)
     return "speed lost if finite elements judge only the search's best " + number_after(top) + " (body lengths / min)";
   return io::shown_column(quantity).title();

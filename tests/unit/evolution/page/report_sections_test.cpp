@@ -424,7 +424,7 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
           "evaluation": {"model": "finite_elements", "measure": "last_periods", "measure_periods": 5}}})";
   const PageSection measured = section({both}, "ranking");
   const PageTable robots = measured.tables.at(0);
-  EXPECT_EQ(robots.title, "Robots in both models, in one period of the drive, of the last 5");
+  EXPECT_EQ(robots.title, "Robots in both models, in a period of the drive, by its last 5");
   EXPECT_EQ(robots.columns, (std::vector<std::string>{"rank", "individual", "selection", "cells",
                                                       "search (draft finite elements): speed (body lengths / min)",
                                                       "standard finite elements: speed (body lengths / min)",
