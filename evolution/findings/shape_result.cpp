@@ -104,9 +104,10 @@ std::string furthest_text(const ShapeErrors& errors) {
   return " by " + millimetres(errors.furthest->difference_m) + ", in " + errors.furthest->observable;
 }
 
-/// "6 of 36 displacements go the wrong way (the extent along y)"
+/// "6 of 36 displacements of at least 0.2 mm go the wrong way (the extent along y)": smaller ones have no way
 std::string wrong_way_text(const ShapeErrors& errors) {
-  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements go the wrong way (" +
+  return std::to_string(errors.wrong_signs) + " of " + std::to_string(errors.signs) + " displacements of at least " +
+         millimetres(meshes::smallest_signed_m) + (errors.wrong_signs == 1 ? " goes" : " go") + " the wrong way (" +
          io::joined(errors.wrong_ways) + ")";
 }
 

@@ -31,11 +31,7 @@ bool agree(const FoundWalk& one, const FoundWalk& other) {
   return agreement(one, other) <= meshes::WalkAgreement::both_go_nowhere;
 }
 
-/// Walks of one duration differ in time by a few steps at most.
-bool are_as_long(const FoundWalk& one, const FoundWalk& other) {
-  constexpr double largest_share = 0.01;
-  return std::abs(one.time_s - other.time_s) <= largest_share * std::max(one.time_s, other.time_s);
-}
+bool are_as_long(const FoundWalk& one, const FoundWalk& other) { return meshes::last_as_long(one.time_s, other.time_s); }
 
 /// Whether a body got somewhere on its feet.
 bool is_walk(const FoundWalk& walk) { return !walk.fell_s && walk.body_lengths >= meshes::walk_limits::least_body_lengths; }

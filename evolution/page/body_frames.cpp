@@ -19,6 +19,7 @@
 #include <numeric>
 
 #include "evolution/posture/frame_grid.h"
+#include "evolution/posture/near_end.h"
 #include "io/process/child_reading.h"
 #include "io/text/input_error.h"
 #include "voxel/picture/vtk_output.h"
@@ -352,13 +353,25 @@ class BodyMotion {
     if (grid.GetNumberOfPoints() != first.GetNumberOfPoints() || grid.GetNumberOfCells() != first.GetNumberOfCells() ||
         (adds_displacements_ && moved == nullptr))
       throw io::InputError(frame.file.string() + ": is of another mesh than the first frame");
+    const auto now_m = [&](vtkIdType id) {
+      Place place = point_of(grid, id);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (moved != nullptr) place[axis] += moved->GetComponent(id, static_cast<int>(axis));
+      return place;
+    };
+    std::optional<RigidMotion> of_near_end;
+    if (request_.held_cell_m) {
+      MovedPoints points;
+      for (vtkIdType id = 0; id < grid.GetNumberOfPoints(); ++id) {
+        points.rest_m.push_back(point_of(first, id));
+        points.now_m.push_back(now_m(id));
+      }
+      of_near_end = motion_of_near_end(points, *request_.held_cell_m);
+    }
     Place sum{};
     for (const vtkIdType id : ids_) {
-      Place place = point_of(grid, id);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (moved != nullptr) place[axis] += moved->GetComponent(id, static_cast<int>(axis));
-        sum[axis] += place[axis];
-      }
+      const Place place = of_near_end ? of_near_end->taken_out(now_m(id)) : now_m(id);
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += place[axis];
       positions_.push_back(place);
     }
     const auto count = static_cast<double>(ids_.size());

@@ -36,6 +36,8 @@ struct BodyRequest {
   std::size_t most_frames = 120;     ///< likewise
   bool has_phases = true;            ///< false: all cells are driven at once, and materials mean nothing
   std::optional<ManifestBody> body;  ///< whose cells give the materials, for files without them
+  /// The edge of a cell of a body that floats free: it is shown as if held at its near end (see motion_of_near_end).
+  std::optional<double> held_cell_m{};
 };
 
 /// Reads the outer surface of a body at its times. Positions are those of the deformed body: where the points of all files are

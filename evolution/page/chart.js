@@ -36,7 +36,7 @@ function extent(values) {
   return [low, high];
 }
 
-const seriesColour = (n) => `var(--c${n % 8})`;
+const seriesColour = (n, s) => (s.material ? `var(--m${s.material})` : `var(--c${n % 8})`);
 const seriesShape = (n) => ['circle', 'square', 'triangle', 'diamond'][(Math.floor(n / 2) + Math.floor(n / 8)) % 4];  // with the colour, 32 that differ
 
 function niceStep(span, count) {
@@ -98,8 +98,8 @@ function drawLegend(chart, parent) {
   };
   chart.series.forEach((s, n) => {
     if (s.name) entry(s.name, (picture) => {
-      if (s.marks !== 'points') svg('line', {x1: 0, y1: 6, x2: 28, y2: 6, stroke: seriesColour(n), 'stroke-width': 2, ...(s.dashed ? {'stroke-dasharray': '6 4'} : {})}, picture);
-      if (s.marks !== 'line') drawMark(seriesShape(n), 14, 6, seriesColour(n), picture);
+      if (s.marks !== 'points') svg('line', {x1: 0, y1: 6, x2: 28, y2: 6, stroke: seriesColour(n, s), 'stroke-width': 2, ...(s.dashed ? {'stroke-dasharray': '6 4'} : {})}, picture);
+      if (s.marks !== 'line') drawMark(seriesShape(n), 14, 6, seriesColour(n, s), picture);
     });
   });
   for (const marker of chart.markers) entry(marker.label, (picture) => svg('line', {x1: 0, y1: 6, x2: 28, y2: 6, class: 'marker'}, picture));
@@ -168,11 +168,11 @@ function drawPlot(chart, picture, width) {
       open = true;
       points.push({px, py, series: n, index: i});
     });
-    if (s.marks !== 'points' && path) svg('path', {d: path, fill: 'none', stroke: seriesColour(n), 'stroke-width': 2, 'stroke-linejoin': 'round', ...(s.dashed ? {'stroke-dasharray': '6 4'} : {})}, picture);
+    if (s.marks !== 'points' && path) svg('path', {d: path, fill: 'none', stroke: seriesColour(n, s), 'stroke-width': 2, 'stroke-linejoin': 'round', ...(s.dashed ? {'stroke-dasharray': '6 4'} : {})}, picture);
   });
   for (const point of points) {
     const s = chart.series[point.series];
-    if (s.marks !== 'line') drawMark(seriesShape(point.series), point.px, point.py, seriesColour(point.series), picture);
+    if (s.marks !== 'line') drawMark(seriesShape(point.series), point.px, point.py, seriesColour(point.series, s), picture);
   }
   return points;
 }

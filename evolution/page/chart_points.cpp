@@ -1,10 +1,15 @@
 #include "evolution/page/chart_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "io/picture/chart.h"
 
 namespace menger::evolution {
 namespace {
@@ -46,6 +51,36 @@ void keep_some(std::vector<Value>& values, const std::vector<std::size_t>& kept)
 }
 
 }  // namespace
+
+void join_equal_series(PageChart& chart) {
+  std::array<double, 2> lowest{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  std::array<double, 2> highest{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+  for (const PageSeries& series : chart.series) {
+    for (const std::size_t axis : {0U, 1U}) {
+      for (const double value : axis == 0 ? series.x : series.y) {
+        if (!std::isfinite(value)) continue;
+        lowest.at(axis) = std::min(lowest.at(axis), value);
+        highest.at(axis) = std::max(highest.at(axis), value);
+      }
+    }
+  }
+  const auto is_hidden_by = [&](const PageSeries& one, const PageSeries& other) {
+    return one.marks == other.marks && one.dashed == other.dashed && one.marks != PageMarks::points && one.labels.empty() &&
+           other.labels.empty() && io::look_alike(one.x, other.x, highest[0] - lowest[0]) &&
+           io::look_alike(one.y, other.y, highest[1] - lowest[1]);
+  };
+  std::vector<PageSeries> kept;
+  for (PageSeries& series : chart.series) {
+    const auto same = std::ranges::find_if(kept, [&](const PageSeries& other) { return is_hidden_by(series, other); });
+    if (same == kept.end()) {
+      kept.push_back(std::move(series));
+      continue;
+    }
+    same->name += ", " + series.name;
+    if (same->material != series.material) same->material = 0;
+  }
+  chart.series = std::move(kept);
+}
 
 void thin_series(PageChart& chart) {
   std::size_t longest = 0;

@@ -7,6 +7,7 @@
 
 #include "evolution/page/json_parts.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/whole_file.h"
 
 namespace menger::evolution {
@@ -111,6 +112,18 @@ std::string parameters_of_menger(const CommandOutput& output) {
   return {};
 }
 
+const CommandOutput* loop_of(const std::vector<CommandOutput>& outputs) {
+  const auto loop = std::ranges::find_if(
+      outputs, [](const CommandOutput& output) { return command_of(output) == "loop" && output.place.empty(); });
+  return loop == outputs.end() ? nullptr : &*loop;
+}
+
+std::string name_in_validation(const std::string& body, const CommandOutput& validation, const CommandOutput* loop) {
+  const bool is_of_loop = loop != nullptr && !loop->robot_name.empty() && body == "robot" &&
+                          io::is_file(validation.folder / "curves/robot_inflation.toml");
+  return is_of_loop ? loop->robot_name : body;
+}
+
 std::string command_of(const CommandOutput& output) {
   constexpr std::string_view before = "menger-";
   return output.program.starts_with(before) ? output.program.substr(before.size()) : output.program;
@@ -153,6 +166,11 @@ std::optional<CommandOutput> read_command_output(const fs::path& manifest) {
     output.stated = stated_run(*parameters);
     output.is_calibrated = object_of(*parameters, "surrogate") != nullptr;
     output.is_in_phase = drives_in_phase(*parameters);
+    if (command_of(output) == "loop") {
+      if (const json* robot = object_of(*parameters, "robot")) output.robot_name = text_of(*robot, "name");
+      if (const json* walk = object_of(*parameters, "walk"))
+        output.robot_walks = walk->value("present", json(true)) != json(false);
+    }
   }
   return output;
 }

@@ -27,6 +27,8 @@ struct CommandOutput {
   std::string body_name{};     ///< of the design, empty if the parameters name none
   StatedRun stated{};          ///< what the parameters state of body and motion
   bool is_calibrated = false;  ///< whether its voxels stand for hollow silicone
+  std::string robot_name{};    ///< of a loop; empty for other commands
+  bool robot_walks = true;     ///< false for the robot of a loop that is only inflated, such as a finger
   bool is_in_phase = false;    ///< whether all cells are driven at once: by one chamber, or by a drive in phase
 };
 
@@ -38,6 +40,12 @@ std::string file_of(const CommandOutput& output, const std::string& file);
 
 /// The name under which people know the body of an output: that of its design, or else where the output is.
 std::string body_or_place(const CommandOutput& output);
+
+/// The loop that made the results in the folder of a report; null if none did.
+const CommandOutput* loop_of(const std::vector<CommandOutput>& outputs);
+
+/// The name of a body in the tables of a validation, for people: a loop calls its own body "robot" there.
+std::string name_in_validation(const std::string& body, const CommandOutput& validation, const CommandOutput* loop);
 
 /// The file of voxel parameters that an output took from those that come with menger; empty if it took none of them.
 std::string parameters_of_menger(const CommandOutput& output);

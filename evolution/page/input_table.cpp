@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "evolution/page/chamber_names.h"
 #include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
 #include "io/shown/shown_column.h"
@@ -19,8 +20,6 @@
 #include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/silicone_record.h"
-#include "meshes/design/modular_body.h"
-#include "meshes/design/polycube.h"
 
 namespace menger::evolution {
 namespace {
@@ -94,30 +93,10 @@ std::string body_text(const CommandOutput& output) {
          " in " + std::to_string(along_x) + " x " + std::to_string(along_y) + " x " + std::to_string(layers.size());
 }
 
-/// Which chambers are of which material: curves and tables name them by number, designs by material.
+/// Which chambers are of which material.
 std::string regions_text(const CommandOutput& output) {
-  std::string text = "one for each region of cells of one material";
-  if (!output.stated.body || output.stated.body->layers.empty() || output.stated.body->layers.front().empty()) return text;
-  const auto& layers = output.stated.body->layers;
-  std::string digits;
-  for (const auto& rows : layers)
-    for (const std::string& row : rows) digits += row;
-  const std::size_t along_x = layers.front().front().size();
-  const std::size_t along_y = layers.front().size();
-  if (digits.size() != along_x * along_y * layers.size()) return text;
-  const auto cells = meshes::Polycube::from_digits(static_cast<int>(along_x), static_cast<int>(along_y),
-                                                   static_cast<int>(layers.size()), digits);
-  const meshes::ModularBody body(cells, 1, meshes::ChamberLayout::per_phase);
-  std::vector<std::string> parts;
-  for (const int material : {1, 2}) {
-    std::vector<std::string> numbers;
-    for (std::size_t region = 0; region < body.regions().size(); ++region)
-      if (body.regions()[region].material == material) numbers.push_back(std::to_string(region));
-    if (!numbers.empty())
-      parts.push_back((numbers.size() == 1 ? "plenum " : "plena ") + io::joined(numbers) + " of material " +
-                      std::to_string(material));
-  }
-  return text + (parts.empty() ? "" : ": " + io::joined(parts, "; "));
+  const std::string chambers = ChamberNames(output).all();
+  return "one for each region of cells of one material" + (chambers.empty() ? "" : ": " + chambers);
 }
 
 std::string with_spaces(std::string text) {
@@ -234,6 +213,16 @@ std::string strokes_text(const json& drive) {
          (std::abs(strokes - 1.0) < tolerance ? "stroke" : shown_number(strokes) + " strokes");
 }
 
+/// "in phase", "held at 12 kPa"
+std::string mode_text(const json& drive) {
+  const std::string mode = text_of(drive, "mode");
+  const auto pressures = drive.find("pressure_Pa");
+  if (mode == "hold" && pressures != drive.end() && pressures->is_array() && !pressures->empty() && pressures->back().is_number())
+    return "held at " + io::kilopascals(pressures->back().get<double>());
+  if (mode == "antiphase") return "antiphase: chambers of material 2 half a stroke after those of material 1";
+  return with_spaces(mode);
+}
+
 /// How a body is held where it is inflated.
 std::string supports_text(const std::string& kind) {
   if (kind == "free") return "free, only its rigid motions are held";
@@ -261,10 +250,11 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
     // The load case that a loop validates its robot with; others state their own supports.
     if (command == "validate" && io::is_file(output.folder / "curves/robot_inflation.toml"))
       rows.add("supports", supports_text("free"), place);
-    if (command != "inflate" && command != "locomote" && command != "simulate") continue;
+    const auto add = [&](const char* name, const std::string& value) { rows.add(name, value, place); };
+    if (command == "validate") add("parameters of the surrogate", parameters_text(output));
+    if (command != "inflate" && command != "locomote" && command != "simulate" && &output != loop_of(outputs)) continue;
     const json parameters = json::parse(output.parameters, nullptr, false);
     if (!parameters.is_object()) continue;
-    const auto add = [&](const char* name, const std::string& value) { rows.add(name, value, place); };
     add("body", body_text(output));
     if (output.stated.body) add("edge of a cell", io::millimetres(output.stated.body->cell_edge_m));
     if (output.stated.wall_thickness_m) add("thickness of walls", io::millimetres(*output.stated.wall_thickness_m));
@@ -283,10 +273,12 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
       add("loss factor (damping)", damping_text(*material));
     }
     if (const json* drive = object_of(parameters, "drive")) {
+      // The robot of a loop has a drive also where it is only inflated.
       add("pressure of the drive", range_text(*drive, "pressure_Pa"));
-      add("strokes", strokes_text(*drive));
-      add("mode of the drive", with_spaces(text_of(*drive, "mode")));
+      if (output.robot_walks) add("strokes", strokes_text(*drive));
+      add("mode of the drive", mode_text(*drive));
     }
+    if (command == "loop") continue;
     if (output.stated.static_friction && output.stated.kinetic_friction)
       add("friction on the ground", shown_number(*output.stated.static_friction) + " at rest, " +
                                         shown_number(*output.stated.kinetic_friction) + " sliding");
@@ -304,7 +296,8 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
                                       "pressure of the drive", "strokes", "mode of the drive", "supports",
                                       "friction on the ground", "finite elements", "parameters of the surrogate"}),
                   .note =
-                      "From the manifests of inflations and walks. Friction of silicone is hardly measured, nor is damping of "
+                      "From the manifests of the robot, its inflations, walks and validations. Friction of silicone is hardly "
+                      "measured, nor is damping of "
                       "most; the manifests say what is assumed."};
   return table;
 }

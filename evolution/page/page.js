@@ -21,12 +21,18 @@ function drawTable(table, parent) {
   const holder = element('div', {class: 'table', tabindex: '0', role: 'region', 'aria-label': table.title}, null, into);
   const made = element('table', {}, null, holder);
   const isNumber = table.columns.map((_, n) => table.rows.length > 0 && table.rows.every((row) => row[n] === '' || row[n] === '\u2013' || (row[n].length < 13 && /^-?[0-9.]+(e[-+]?[0-9]+)?$/.test(row[n]))));
+  // A column of long texts keeps a width at which they can be read; what does not fit on a narrow screen is scrolled to.
+  const isLong = table.columns.map((column, n) => !isNumber[n] && extent(table.rows.map((row) => row[n].length))[1] > 24);
+  const classOf = (n) => {
+    const names = [isNumber[n] ? 'number' : '', isLong[n] ? 'long' : table.columns[n].length > 24 ? 'headed' : ''].filter((name) => name);
+    return names.length ? {class: names.join(' ')} : {};
+  };
   const head = element('tr', {}, null, element('thead', {}, null, made));
-  table.columns.forEach((column, n) => element('th', {scope: 'col', ...(isNumber[n] ? {class: 'number'} : {})}, column, head));
+  table.columns.forEach((column, n) => element('th', {scope: 'col', ...classOf(n)}, column, head));
   const body = element('tbody', {}, null, made);
   for (const row of table.rows) {
     const line = element('tr', {}, null, body);
-    row.forEach((cell, n) => element('td', isNumber[n] ? {class: 'number'} : {}, cell, line));
+    row.forEach((cell, n) => element('td', classOf(n), cell, line));
   }
   if (table.note) element('p', {class: 'note'}, table.note, into);
 }

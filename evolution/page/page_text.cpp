@@ -12,10 +12,13 @@
 #include <vector>
 
 #include "evolution/page/verdict.h"
+#include "io/shown/shown_quantity.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/printable.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/shape_agreement.h"
 
 namespace menger::evolution {
 namespace {
@@ -57,6 +60,7 @@ json json_of(const PageChart& chart) {
                       {"y", rounded(one.y)},
                       {"marks", word_of(one.marks)},
                       {"dashed", one.dashed},
+                      {"material", one.material},
                       {"labels", one.labels}});
   }
   json markers = json::array();
@@ -180,6 +184,17 @@ std::vector<std::pair<std::string, std::string>> explained_words() {
        "how far an inflation has come along its path of pressures or volumes: at 1, 2, ... it has those that its study names."},
       {"range of the fit", "the pressures, lengths and walls that the surrogate was fitted to."},
       {"body length", "the longest side of the body at rest; 2 body lengths is twice as far as the body is long."},
+      {"displacement that goes the wrong way", "one that has another sign in the surrogate; only those of at least " +
+                                                   io::millimetres(meshes::smallest_signed_m) +
+                                                   " have one, so that fewer are counted than are compared."},
+      {"rank correlation",
+       "1 if both models put robots in the same order, 0 if one order tells nothing of the other, -1 if they are opposite. "
+       "Spearman "
+       "and Kendall count it in two ways."},
+      {"95 % from, to", "the interval that holds the true value in 19 of 20 such samples of robots."},
+      {"champion, age", "the best robot, and for how many generations its line has lived since its eldest ancestor was new."},
+      {"phenotype", "the cells of a body as digits, along x first, then y, then z: 0 is empty, 1 and 2 are materials."},
+      {"period, stroke", "once up and down of the pressure of the drive."},
       {"fitness", "what a search makes as large as it can: how far a robot goes, unless its study says otherwise."},
   };
 }
@@ -240,6 +255,20 @@ std::string headline_html(const Verdict& verdict) {
   return text + "</ul></div>\n";
 }
 
+/// What the loop said first. Warnings stay in sight.
+std::string forecast_html(const std::vector<std::string>& forecast) {
+  std::string warnings;
+  std::string others;
+  for (const std::string& line : forecast)
+    (line.starts_with("warning: ") ? warnings : others) += "<li>" + html_text(line) + "</li>\n";
+  std::string text;
+  if (!warnings.empty()) text += "<ul class=\"words\">\n" + warnings + "</ul>\n";
+  if (!others.empty())
+    text +=
+        "<details><summary>What was to be expected of this robot</summary><ul class=\"words\">\n" + others + "</ul></details>\n";
+  return text;
+}
+
 std::string verdict_html(const Verdict& verdict, const std::string& folder) {
   std::string found;
   std::string missing;
@@ -248,7 +277,7 @@ std::string verdict_html(const Verdict& verdict, const std::string& folder) {
     (finding.tone == Tone::missing ? missing : found) += finding_html(finding, folder);
     if (finding.tone == Tone::missing) ++missing_count;
   }
-  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n" + headline_html(verdict);
+  std::string text = "<h2 id=\"verdict-title\">Verdict</h2>\n" + headline_html(verdict) + forecast_html(verdict.forecast);
   // A long list of what is not there would hide what is.
   constexpr std::size_t most_open = 2;
   const bool is_open = missing_count <= most_open || found.empty();
@@ -258,8 +287,8 @@ std::string verdict_html(const Verdict& verdict, const std::string& folder) {
               ? findings
               : "<details><summary>All findings, with the files that they come from</summary>\n" + findings + "</details>\n";
   if (!is_open)
-    text += "<details><summary>" + std::to_string(missing_count) +
-            " things were not computed</summary><ul class=\"findings\">\n" + missing + "</ul></details>\n";
+    text += "<details><summary>" + io::counted(missing_count, "thing") + (missing_count == 1 ? " was" : " were") +
+            " not computed</summary><ul class=\"findings\">\n" + missing + "</ul></details>\n";
   text += "<details><summary>How this is judged</summary><ul class=\"words\">\n";
   for (const std::string& words : judging_words()) text += "<li>" + html_text(words) + "</li>\n";
   text += "</ul></details>\n<details><summary>Words on this page</summary><dl>\n";

@@ -1,6 +1,7 @@
 #include "evolution/page/report_numbers.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -22,9 +23,24 @@ std::string shown_number(const std::optional<double>& value) { return value ? sh
 
 std::string shown_whole(double value) { return io::formatted("%.0f", std::round(value) + 0.0); }
 
-std::string degrees_text(double angle_deg) {
-  const std::string shown = shown_whole(angle_deg);
-  return shown + (shown == "1" ? " degree" : " degrees");
+std::string with_rounded_numbers(const std::string& text) {
+  constexpr std::string_view digits = "0123456789";
+  constexpr std::size_t least_decimals = 7;
+  const auto is_of_word = [](char c) { return (std::isalnum(static_cast<unsigned char>(c)) != 0) || c == '_' || c == '.'; };
+  std::string rounded;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.", at), text.size());
+    const std::size_t point = text.find('.', at);
+    const bool begins = end > at && digits.find(text[at]) != std::string_view::npos && (at == 0 || !is_of_word(text[at - 1]));
+    const bool is_number = begins && point < end && text.find('.', point + 1) >= end && end - point > least_decimals &&
+                           (end == text.size() || !is_of_word(text[end]));
+    double value = 0.0;
+    if (is_number) std::from_chars(text.data() + at, text.data() + end, value);
+    const std::size_t next = std::max(end, at + 1);
+    rounded += is_number ? io::shown(value, 4) : text.substr(at, next - at);
+    at = next;
+  }
+  return rounded;
 }
 
 std::string text_in(const io::CsvContents& table, std::size_t row, std::string_view column) {

@@ -18,8 +18,9 @@ std::string shown_number(const std::optional<double>& value);  ///< a dash if th
 /// Returns a number rounded to a whole one, 0 without a sign: "-7", "0".
 std::string shown_whole(double value);
 
-/// Returns an angle of at least 0 in whole degrees: "1 degree", "20 degrees".
-std::string degrees_text(double angle_deg);
+/// Returns a text in which numbers with more digits than people read are rounded to four: "0.01845" for "0.018449999999999998".
+/// Only what stands alone and has seven digits or more after its point is a number here.
+std::string with_rounded_numbers(const std::string& text);
 
 /// Returns the number of a cell; nothing if the table has no such column, or if the cell is empty or no number.
 std::optional<double> number_in(const io::CsvContents& table, std::size_t row, std::string_view column);

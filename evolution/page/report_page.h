@@ -34,6 +34,7 @@ struct Finding {
 struct Verdict {
   std::string headline{};               ///< one or two sentences
   std::vector<std::string> came_out{};  ///< what the loop said of these results; if there are some, they stand for the headline
+  std::vector<std::string> forecast{};  ///< what the loop said before its stages: law, expected error, warnings
   Tone tone = Tone::missing;
   std::vector<Finding> findings{};
 };
@@ -56,6 +57,7 @@ struct PageSeries {
   std::vector<double> y{};
   PageMarks marks = PageMarks::line;
   bool dashed = false;
+  int material = 0;                   ///< 1 or 2 if it is of one material: drawn in its colour; otherwise 0
   std::vector<std::string> labels{};  ///< of the points, shown when one is pointed at; none, or as many as points
 };
 

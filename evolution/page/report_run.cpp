@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -13,12 +12,12 @@
 #include "evolution/loop/loop_verdict_file.h"
 #include "evolution/page/command_outputs.h"
 #include "evolution/page/input_table.h"
-#include "evolution/page/json_parts.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
 #include "evolution/page/result_facts.h"
 #include "evolution/page/verdict.h"
 #include "evolution/page/walk_animation.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/manifest.h"
@@ -56,6 +55,7 @@ LoopVerdict verdict_of_loop(const fs::path& folder, std::vector<std::string>& no
     if (!verdict) return {};
     if (verdict->is_current(folder)) return std::move(*verdict);
     verdict->lines.clear();
+    verdict->forecast.clear();
     verdict->softest_limit_Pa.reset();
     notes.push_back(std::string(loop_verdict_name) +
                     ": what the loop said came out is of earlier results, and is left out; run menger loop again");
@@ -88,6 +88,9 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
     caption = std::string("The body, cut open, at the end of its inflation") +
               (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
               ". Thin lines: the body at rest, grey where it was cut away.";
+    if (inflation != inflations.end() && inflation->sideways_m)
+      caption += " It floats free here: seen from its near end, the middle of its far end moves " +
+                 io::millimetres(*inflation->sideways_m) + " sideways.";
   } else if (name == "robot.png" && command_of(output) == "simulate") {
     caption = "The body of voxels at the end of its walk, with the path of its centre.";
   } else if (name == "robot.png") {
@@ -154,18 +157,11 @@ std::string made_text(const fs::path& folder, std::size_t outputs) {
          " of its commands in " + (whole.empty() ? folder : whole).string() + ". One file, which needs no network.";
 }
 
-/// The name of the robot of a loop, of which stages may have an earlier name; empty for other outputs.
-std::string name_in_loop(const CommandOutput& output) {
-  if (command_of(output) != "loop" || !output.place.empty()) return {};
-  const nlohmann::json parameters = nlohmann::json::parse(output.parameters, nullptr, false);
-  const nlohmann::json* robot = object_of(parameters, "robot");
-  return robot == nullptr ? std::string() : text_of(*robot, "name");
-}
-
 /// What the page is about: the robot of a loop, the body of all results, or else the folder.
 std::string title_of(const fs::path& folder, const std::vector<CommandOutput>& outputs) {
-  for (const CommandOutput& output : outputs)
-    if (const std::string name = name_in_loop(output); !name.empty()) return "Report: " + name;
+  // Stages of a loop may have an earlier name.
+  if (const CommandOutput* loop = loop_of(outputs); loop != nullptr && !loop->robot_name.empty())
+    return "Report: " + loop->robot_name;
   std::set<std::string> bodies;
   for (const CommandOutput& output : outputs)
     if (!output.body_name.empty()) bodies.insert(output.body_name);
@@ -267,6 +263,7 @@ ReportResult write_report(const fs::path& place, const ReportOptions& options) {
   facts.softest_limit_Pa = loop.softest_limit_Pa;
   page.verdict = verdict_of(facts);
   page.verdict.came_out = loop.lines;
+  page.verdict.forecast = loop.forecast;
   page.inputs = input_table(outputs, folder);
   page.sections = report_sections(outputs, page.notes);
   tell("read motions", 0.1);

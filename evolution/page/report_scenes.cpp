@@ -10,7 +10,10 @@
 
 #include "evolution/page/body_frames.h"
 #include "evolution/page/report_numbers.h"
+#include "evolution/page/result_facts.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/toml_document.h"
@@ -34,7 +37,8 @@ struct ScenePlan {
     int part = 0;
     bool has_phases = true;
     std::optional<ManifestBody> body;
-    fs::path trajectory{};  ///< the table of the centre of mass; empty if there is none
+    std::optional<double> held_cell_m{};  ///< see BodyRequest
+    fs::path trajectory{};                ///< the table of the centre of mass; empty if there is none
   };
   std::vector<Part> parts;
   bool apart = false;      ///< whether the bodies have to be moved beside each other
@@ -57,10 +61,12 @@ ScenePlan::Part walking(const CommandOutput& output) {
           .trajectory = output.folder / "trajectory.csv"};
 }
 
+io::TomlTable outcome_of(const CommandOutput& walk) {
+  return io::read_toml(walk.folder / (command_of(walk) == "locomote" ? "locomotion.toml" : "result.toml"));
+}
+
 /// The direction of a walk, degrees from x; nothing if it is none.
-std::optional<double> direction_deg(const CommandOutput& output) {
-  const io::TomlTable result =
-      io::read_toml(output.folder / (command_of(output) == "locomote" ? "locomotion.toml" : "result.toml"));
+std::optional<double> direction_deg(const io::TomlTable& result) {
   const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
   if (!result.has("displacement_m") || lengths.value_or(0.0) < meshes::walk_limits::least_body_lengths) return std::nullopt;
   const std::vector<double> moved_m = result.numbers("displacement_m");
@@ -68,32 +74,69 @@ std::optional<double> direction_deg(const CommandOutput& output) {
   return std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
 }
 
-/// The angle between two walks; nothing if one of them is none, or if a result cannot be read, which its own section tells.
-std::optional<double> angle_deg(const CommandOutput& one, const CommandOutput& other) {
+/// Two walks of one body in both models, which are shown beside each other.
+struct WalksBeside {
+  const CommandOutput* elements = nullptr;
+  const CommandOutput* other = nullptr;
+  std::array<double, 2> ends_s{};     ///< of both; 0 where it is not known
+  double element_count = 0.0;         ///< of the finite elements
+  std::optional<double> angle_deg{};  ///< between both, if they last as long and go somewhere
+  [[nodiscard]] bool are_as_long() const { return meshes::last_as_long(ends_s[0], ends_s[1]); }
+};
+
+WalksBeside walks_beside(const CommandOutput& elements, const CommandOutput& other) {
+  WalksBeside walks{.elements = &elements, .other = &other};
   try {
-    const auto a_deg = direction_deg(one);
-    const auto b_deg = direction_deg(other);
-    return a_deg && b_deg ? std::optional(meshes::angle_between(*a_deg, *b_deg)) : std::nullopt;
+    const io::TomlTable a = outcome_of(elements);
+    const io::TomlTable b = outcome_of(other);
+    walks.ends_s = {a.number("time_s"), b.number("time_s")};
+    walks.element_count = a.optional_number("elements").value_or(0.0);
+    const auto a_deg = direction_deg(a);
+    const auto b_deg = direction_deg(b);
+    if (a_deg && b_deg && walks.are_as_long()) walks.angle_deg = meshes::angle_between(*a_deg, *b_deg);
   } catch (const io::InputError&) {
-    return std::nullopt;
+    return walks;  // told where the walk has its own section
   }
+  return walks;
 }
 
-void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
-  std::vector<const CommandOutput*> paired;
-  std::vector<ScenePlan> single;
+/// All walks in both models. Those that decide what is said of the surrogate come first: of equal length, on the finest elements.
+std::vector<WalksBeside> all_walks_beside(const std::vector<CommandOutput>& outputs) {
+  std::vector<WalksBeside> all;
   for (const CommandOutput& elements : outputs) {
     if (!walks(elements, "locomote")) continue;
     const auto other = std::ranges::find_if(outputs, [&](const CommandOutput& output) {
       return walks(output, "simulate") && are_one_walk(elements.stated, output.stated);
     });
-    if (other == outputs.end()) continue;
-    paired.insert(paired.end(), {&elements, &*other});
-    plans.push_back({.scene = {.title = "Walk of " + body_or_place(elements) + ": finite elements and " + walking(*other).name,
-                               .source = file_of(elements, "frames.pvd") + ", " + file_of(*other, "frames.pvd"),
-                               .angle_deg = angle_deg(elements, *other)},
+    if (other != outputs.end()) all.push_back(walks_beside(elements, *other));
+  }
+  std::ranges::stable_sort(all, [](const WalksBeside& a, const WalksBeside& b) {
+    if (a.are_as_long() != b.are_as_long()) return a.are_as_long();
+    return a.element_count > b.element_count;
+  });
+  return all;
+}
+
+/// That one of two walks ends before the other; empty if they last as long.
+std::string ends_text(const WalksBeside& walks) {
+  if (walks.are_as_long()) return "";
+  return "They do not last as long: " + walking(*walks.elements).name + " " + io::shown(walks.ends_s[0], 3) + " s, " +
+         walking(*walks.other).name + " " + io::shown(walks.ends_s[1], 3) + " s. Distances are those at the end of each.";
+}
+
+void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
+  std::vector<const CommandOutput*> paired;
+  std::vector<ScenePlan> single;
+  for (const WalksBeside& both : all_walks_beside(outputs)) {
+    const CommandOutput& elements = *both.elements;
+    const CommandOutput& other = *both.other;
+    paired.insert(paired.end(), {&elements, &other});
+    plans.push_back({.scene = {.title = "Walk of " + body_or_place(elements) + ": finite elements and " + walking(other).name,
+                               .source = file_of(elements, "frames.pvd") + ", " + file_of(other, "frames.pvd"),
+                               .angle_deg = both.angle_deg,
+                               .note = ends_text(both)},
                      .place = elements.name,
-                     .parts = {walking(elements), walking(*other)},
+                     .parts = {walking(elements), walking(other)},
                      .apart = true,
                      .on_ground = true});
   }
@@ -133,20 +176,31 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
   }
 }
 
+/// How a body that floats free is shown, and how far it bends.
+std::string held_text(const CommandOutput& inflation) {
+  std::string text = "It floats free; it is shown as if held at its near end, the lower one along its longest side.";
+  if (const auto bend = bend_of(inflation))
+    text += " So the middle of its far end moves " + io::millimetres(bend->sideways_m) + " sideways.";
+  return text;
+}
+
 void plan_inflations(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan>& plans) {
   for (const CommandOutput& output : outputs) {
     const fs::path fields = output.folder / "fields.pvd";
     if (command_of(output) != "inflate" || !io::is_file(fields)) continue;
+    const bool is_free = output.stated.supports == "free" && output.stated.body;
     plans.push_back({.scene = {.title = "Inflation of " + body_or_place(output),
                                .source = file_of(output, "fields.pvd"),
                                .clock = "path parameter",
-                               .unit = ""},
+                               .unit = "",
+                               .note = is_free ? held_text(output) : ""},
                      .place = output.name,
                      .parts = {{.name = "finite elements",
                                 .folder = output.folder,
                                 .collection = fields,
                                 .has_phases = !output.is_in_phase,
-                                .body = output.stated.body}}});
+                                .body = output.stated.body,
+                                .held_cell_m = is_free ? std::optional(output.stated.body->cell_edge_m) : std::nullopt}}});
   }
 }
 
@@ -239,6 +293,9 @@ std::size_t bytes_of(const PageScene& scene) {
 
 std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes, std::vector<std::string>& notes) {
   PageScene scene = plan.scene;
+  const auto add_note = [&](const std::string& words) {
+    if (scene.note.find(words) == std::string::npos) scene.note += (scene.note.empty() ? "" : " ") + words;
+  };
   for (const ScenePlan::Part& part : plan.parts) {
     try {
       const std::vector<BodyFrames> bodies = read_body_frames(part.collection, part.folder);
@@ -248,10 +305,11 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
                                       .frames = found->frames,
                                       .most_bytes = most_bytes / plan.parts.size(),
                                       .has_phases = part.has_phases,
-                                      .body = part.body});
+                                      .body = part.body,
+                                      .held_cell_m = part.held_cell_m});
       if (body.times.size() < found->frames.size()) {
-        scene.note = std::to_string(body.times.size()) + " of " + std::to_string(found->frames.size()) +
-                     " frames are shown; between them the motion is a guess along straight lines.";
+        add_note(std::to_string(body.times.size()) + " of " + std::to_string(found->frames.size()) +
+                 " frames are shown; between them the motion is a guess along straight lines.");
       }
       if (!part.trajectory.empty()) body.travelled_m = travelled_m(part.trajectory, body.times);
       scene.bodies.push_back(std::move(body));
@@ -261,9 +319,7 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
   }
   if (scene.bodies.empty()) return std::nullopt;
   if (std::ranges::any_of(scene.bodies, [](const PageBody& body) { return body.name != "finite elements"; })) {
-    scene.note += scene.note.empty() ? "" : " ";
-    scene.note +=
-        "Voxels are drawn as cubes: their faces are not the surface of a body, and gaps between them are no gaps in it.";
+    add_note("Voxels are drawn as cubes: their faces are not the surface of a body, and gaps between them are no gaps in it.");
   }
   if (plan.apart) move_apart(scene.bodies);
   if (plan.on_ground) {

@@ -13,9 +13,11 @@
 #include <string_view>
 #include <system_error>
 
+#include "evolution/page/chamber_names.h"
 #include "evolution/page/chart_points.h"
 #include "evolution/page/json_parts.h"
 #include "evolution/page/report_numbers.h"
+#include "evolution/page/result_facts.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
 #include "io/shown/shown_quantity.h"
@@ -23,6 +25,7 @@
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/limit_pressure.h"
@@ -49,15 +52,9 @@ std::vector<std::string> ending_with(const io::CsvContents& table, std::string_v
   return columns;
 }
 
-std::string without_ending(const std::string& column, std::string_view ending) {
-  std::string name = column.substr(0, column.size() - ending.size());
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
-
 void add_notes_of(const io::TomlTable& table, std::vector<std::string>& words) {
   if (!table.has("notes")) return;
-  for (const std::string& note : table.texts("notes")) words.push_back(note + ".");
+  for (const std::string& note : table.texts("notes")) words.push_back(with_rounded_numbers(note) + ".");
 }
 
 /// A pressure at which the path of an inflation turns.
@@ -90,15 +87,18 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
                   .series = {},
                   .note = "From " + file_of(output, "curves.csv") + "."};
   const std::vector<std::string> pressures = ending_with(curves, "_pressure_Pa");
+  const ChamberNames chambers(output);
   for (const std::string& pressure : pressures) {
     const std::string plenum = pressure.substr(0, pressure.size() - std::string_view("_pressure_Pa").size());
-    chart.series.push_back({.name = pressures.size() == 1 ? "the chamber" : without_ending(pressure, "_pressure_Pa"),
+    chart.series.push_back({.name = pressures.size() == 1 ? "the chamber" : chambers.name_of(plenum),
                             .x = column_of(curves, plenum + "_volume_m3", 1e6),
                             .y = column_of(curves, pressure, 1e-3),
                             .marks = PageMarks::line_and_points,
-                            // Chambers alike have the same curve: the one below shows through the gaps.
-                            .dashed = chart.series.size() % 2 == 1});
+                            .material = chambers.material_of(plenum)});
   }
+  join_equal_series(chart);
+  // Some chambers have nearly the same curve: the one below shows through the gaps.
+  for (std::size_t n = 1; n < chart.series.size(); n += 2) chart.series[n].dashed = true;
   const std::vector<TurningPoint> turning_points = turning_points_in(result);
   for (const TurningPoint& point : turning_points) {
     chart.markers.push_back(
@@ -117,8 +117,10 @@ void add_inflation(const CommandOutput& output, PageSection& section) {
   add("elements", shown_number(result.optional_number("elements")));
   add("unknowns", io::formatted("%.0f", result.optional_number("unknowns").value_or(0.0)));
   add("size of an element (mm)", shown_number(1e3 * result.optional_number("element_size_m").value_or(0.0)));
+  if (const auto bend = bend_of(output))
+    add("the middle of its far end moves sideways, seen from the near one (mm)", shown_number(1e3 * bend->sideways_m));
   for (const TurningPoint& point : turning_points) {
-    const std::string of = pressures.size() == 1 ? "" : " of " + point.plenum;
+    const std::string of = pressures.size() == 1 ? "" : " of the " + chambers.name_of(point.plenum);
     add((point.is_limit ? "limit pressure" : "later turning point") + of, io::kilopascals(point.pressure_Pa));
     if (point.volume_m3) add("volume there (cm\u00b3)", shown_number(1e6 * *point.volume_m3));
   }
@@ -140,10 +142,16 @@ const char* outcome_file(const CommandOutput& output) {
   return command_of(output) == "locomote" ? "locomotion.toml" : "result.toml";
 }
 
-/// The direction along which the progress of all walks of a body counts, of length 1, so that walks which go opposite ways look
-/// so: that of its walk on the finest finite elements, or else of any, which walks at all. Nothing if none does.
-std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, const std::vector<CommandOutput>& outputs) {
-  std::optional<std::array<double, 2>> direction;
+/// A direction along which progress counts, and the walk that goes there.
+struct CommonDirection {
+  std::array<double, 2> along{};  ///< of length 1
+  std::string walk{};             ///< for people: where its results are, with its direction
+};
+
+/// The direction along which the progress of all walks of a body counts, so that walks which go opposite ways look so: that of
+/// its walk on the finest finite elements, or else of any, which walks at all. Nothing if none does.
+std::optional<CommonDirection> common_direction(const CommandOutput& of, const std::vector<CommandOutput>& outputs) {
+  std::optional<CommonDirection> direction;
   double most_elements = -1.0;
   for (const CommandOutput& other : outputs) {
     if (!is_walk(other) || (&other != &of && !are_of_one_body(other.stated, of.stated))) continue;
@@ -156,7 +164,9 @@ std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, c
       const double way_m = moved_m.size() == 3 ? std::hypot(moved_m[0], moved_m[1]) : 0.0;
       if (!(way_m > 0.0) || lengths.value_or(1.0) < meshes::walk_limits::least_body_lengths) continue;
       most_elements = elements;
-      direction = {moved_m[0] / way_m, moved_m[1] / way_m};
+      direction = {.along = {moved_m[0] / way_m, moved_m[1] / way_m},
+                   .walk = (other.name.empty() ? heading_of(other) : other.name) + " (" + model_of(other) + ", " +
+                           io::degrees(std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi) + " from x)"};
     } catch (const io::InputError&) {
       continue;  // told where its own walk is shown
     }
@@ -164,20 +174,35 @@ std::optional<std::array<double, 2>> common_direction(const CommandOutput& of, c
   return direction;
 }
 
-/// Says in a chart of progress of which series it is the distance from the start. @param are_walks whether a series is of a walk
-void tell_what_is_no_walk(const std::vector<bool>& are_walks, PageChart& progress) {
-  if (std::ranges::find(are_walks, false) == are_walks.end()) return;
+/// What is drawn of a walk in the chart of progress.
+enum class DrawnProgress { of_walk, of_what_is_no_walk, distance };
+
+/// Says in a chart of progress along which directions it counts, what is no walk, and of which series it is the distance from the
+/// start: of what is no walk and has no walk of its body beside it. @param drawn by series
+void tell_what_is_drawn(const std::vector<DrawnProgress>& drawn, const std::vector<std::string>& directions,
+                        PageChart& progress) {
+  const auto has = [&](DrawnProgress one) { return std::ranges::find(drawn, one) != drawn.end(); };
   const std::string distance = "the horizontal distance from its start, since the line to its end is chance.";
-  if (std::ranges::find(are_walks, true) == are_walks.end()) {
+  if (directions.empty()) {
     progress.title = "Distance from the start over time";
     progress.y.title = "distance of the centre of mass from its start (mm)";
     progress.note = "What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
                     " of its length from its start is no walk: drawn is " + distance;
     return;
   }
-  progress.note += " Of what is no walk it is " + distance;
-  for (std::size_t n = 0; n < are_walks.size(); ++n)
-    if (!are_walks[n]) progress.series[n].name += " (no walk: distance from its start)";
+  progress.note =
+      "Along one direction for all walks of a body, that of its walk on the finest finite elements, or else in voxels: " +
+      io::joined(directions, "; ") +
+      ". A curve falls where the body goes back, and one that ends below 0 went the other way. Where a walk goes to "
+      "and fro, distance and direction depend on when one looks.";
+  if (has(DrawnProgress::of_what_is_no_walk))
+    progress.note += " What ends within " + io::percents(meshes::walk_limits::least_body_lengths) +
+                     " of its length from its start is no walk, and gives no direction.";
+  if (has(DrawnProgress::distance)) progress.note += " Of what is no walk, and of a body without any, it is " + distance;
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    if (drawn[n] == DrawnProgress::of_what_is_no_walk) progress.series[n].name += " (no walk)";
+    if (drawn[n] == DrawnProgress::distance) progress.series[n].name += " (no walk: distance from its start)";
+  }
 }
 
 /// All walks in one chart of progress over time, one of paths seen from above, and one table.
@@ -186,12 +211,9 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
   PageChart progress{.title = "Progress over time",
                      .x = {.title = "time (s)"},
                      .y = {.title = "progress of the centre of mass (mm)"},
-                     .series = {},
-                     .note =
-                         "Along one direction for all walks of a body, that of its walk on the finest finite elements: a curve "
-                         "falls where the body goes back, and one that ends below 0 went the other way. Where a walk goes to and "
-                         "fro, distance and direction depend on when one looks."};
-  std::vector<bool> are_walks;  // by series
+                     .series = {}};
+  std::vector<DrawnProgress> drawn;  // by series
+  std::vector<std::string> directions;
   PageChart path{.title = "Paths seen from above",
                  .x = {.title = "x (mm)"},
                  .y = {.title = "y (mm)"},
@@ -202,10 +224,12 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
                    .x = {.title = "time (s)"},
                    .y = {.title = "imbalance of energy (mJ)"},
                    .series = {}};
-  PageTable table{.title = "Walks",
-                  .columns = {"model", "distance (mm)", "distance (body lengths)", "speed (body lengths / min)",
-                              "direction (degrees from x)", "time (s)", "status", "body", "from"},
-                  .rows = {}};
+  PageTable table{
+      .title = "Walks, from start to end",
+      .columns = {"model", "distance (mm)", "distance (body lengths)", "speed (body lengths / min)", "direction (degrees from x)",
+                  "time (s)", "status", "body", "from"},
+      .rows = {},
+      .note = "Distance, speed and direction are those of the centre of mass from the start to the end of each walk."};
   for (const CommandOutput& output : outputs) {
     if (!is_walk(output)) continue;
     try {
@@ -221,11 +245,22 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       const io::TomlTable result = io::read_toml(output.folder / file);
       const auto lengths = result.optional_number("horizontal_displacement_body_lengths");
       const bool goes_nowhere = lengths && *lengths < meshes::walk_limits::least_body_lengths;
-      std::vector<double> progress_mm =
-          goes_nowhere ? distance_from_start(walk) : progress_of(walk, common_direction(output, outputs));
+      const auto direction_of_body = common_direction(output, outputs);
+      // What ended early has no displacement, and may have a way all the same.
+      const bool has_own_line = !direction_of_body && !goes_nowhere;
+      std::vector<double> progress_mm = direction_of_body ? progress_of(walk, direction_of_body->along)
+                                        : has_own_line    ? progress_of(walk)
+                                                          : distance_from_start(walk);
+      const std::string direction_words = direction_of_body ? direction_of_body->walk
+                                          : has_own_line    ? name + " (the line to its own end)"
+                                                            : "";
+      if (!direction_words.empty() && std::ranges::find(directions, direction_words) == directions.end())
+        directions.push_back(direction_words);
       for (double& value : progress_mm) value *= 1e3;
       progress.series.push_back({.name = name, .x = time_s, .y = std::move(progress_mm), .dashed = dashed});
-      are_walks.push_back(!goes_nowhere);
+      drawn.push_back(!goes_nowhere       ? DrawnProgress::of_walk
+                      : direction_of_body ? DrawnProgress::of_what_is_no_walk
+                                          : DrawnProgress::distance);
       path.series.push_back({.name = name, .x = x_mm, .y = y_mm, .dashed = dashed});
       if (walk.has("imbalance_J")) energy.series.push_back({.name = name, .x = time_s, .y = column_of(walk, "imbalance_J", 1e3)});
       const auto moved_m = result.optional_number("horizontal_displacement_m");
@@ -246,7 +281,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
     }
   }
   if (table.rows.empty()) return section;
-  tell_what_is_no_walk(are_walks, progress);
+  tell_what_is_drawn(drawn, directions, progress);
   section.charts = {std::move(progress), std::move(path)};
   if (!energy.series.empty()) section.charts.push_back(std::move(energy));
   section.tables.push_back(std::move(table));
@@ -345,39 +380,69 @@ void show_percent(const io::CsvContents& table, const std::string& column, PageT
   for (std::size_t row = 0; row < shown.rows.size(); ++row) shown.rows[row][place] = percent_in(table, row, column);
 }
 
+/// Whether all numbers of a column are 0 or missing.
+bool is_nought(const io::CsvContents& table, const std::string& column) {
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    if (number_in(table, row, column).value_or(0.0) != 0.0) return false;
+  return true;
+}
+
+/// How a body is called in the tables of a validation.
+using BodyName = std::function<std::string(const std::string&)>;
+
+/// Where the largest error of a row lies: "the extent along z", with the load case where there are several.
+std::string worst_text(const io::CsvContents& summary, std::size_t row, bool has_cases) {
+  const std::string observable = text_in(summary, row, "worst_observable");  // none in results of earlier versions
+  const std::string load_case = text_in(summary, row, "worst_case");
+  if (observable.empty()) return load_case;
+  return io::displacement_words(observable) + (has_cases ? ", " + load_case : "");
+}
+
 /// The errors of a validation in per cent. Of one body alone, the sums over all bodies repeat its own numbers, and are left out.
-PageTable summary_table(const io::CsvContents& summary, const std::string& file) {
+PageTable summary_table(const io::CsvContents& summary, const std::string& file, const BodyName& name_of) {
   const std::vector<std::string> bodies = distinct(summary, "body");
   const bool is_one = std::ranges::count_if(bodies, [](const std::string& body) { return body != "all"; }) == 1;
-  PageTable table{.title = "Errors by body, of the largest value in a curve",
-                  .columns = {"body", "kind", "range of the fit", "number", "without equilibrium", "median (%)",
-                              "nine in ten are below (%)", "worst (%)", "worst case"},
-                  .rows = {},
-                  .note = "More columns: " + file + "."};
+  const bool has_cases = distinct(summary, "worst_case").size() > 1;
+  PageTable table{
+      .title = "Errors by body, of the largest value in a curve",
+      .columns = {"body", "kind", "range of the fit", "numbers compared", "numbers where the surrogate has no equilibrium",
+                  "median (%)", "nine in ten are below (%)", "worst (%)", "worst in"},
+      .rows = {},
+      .note =
+          "An error is a difference from finite elements, as a share of the largest value in its curve. More "
+          "columns: " +
+          file + "."};
   const bool has_lengths = summary.has("furthest_m");  // not in results of earlier versions
   if (has_lengths) {
-    table.columns.insert(table.columns.end(), {"furthest off (mm)", "in"});
-    table.note += " Furthest off is the largest difference over the length of a body.";
+    table.columns.insert(table.columns.end(), {"furthest off by (mm)", "furthest off in"});
+    table.note += " Furthest off, in mm, is the displacement whose difference is the largest share of the length of its body.";
   }
+  constexpr std::size_t without_equilibrium = 4;
   for (std::size_t row = 0; row < summary.row_count(); ++row) {
     const std::string body = text_in(summary, row, "body");
     if (is_one && body == "all") continue;
-    std::string worst = text_in(summary, row, "worst_case");
-    if (body == "all") worst.insert(0, text_in(summary, row, "worst_body") + ", ");
-    table.rows.push_back({body, text_in(summary, row, "kind"), text_in(summary, row, "range"), text_in(summary, row, "count"),
-                          text_in(summary, row, "without_equilibrium"), percent_in(summary, row, "median"),
-                          percent_in(summary, row, "percentile_90"), percent_in(summary, row, "worst"), worst});
+    std::string worst = worst_text(summary, row, has_cases);
+    if (body == "all") worst.insert(0, name_of(text_in(summary, row, "worst_body")) + ", ");
+    table.rows.push_back({body == "all" ? body : name_of(body), text_in(summary, row, "kind"), text_in(summary, row, "range"),
+                          text_in(summary, row, "count"), text_in(summary, row, "without_equilibrium"),
+                          percent_in(summary, row, "median"), percent_in(summary, row, "percentile_90"),
+                          percent_in(summary, row, "worst"), worst});
     if (!has_lengths) continue;
     const auto furthest_m = number_in(summary, row, "furthest_m");
-    std::string furthest = io::shown_column(text_in(summary, row, "furthest_observable")).quantity;
-    if (body == "all" && furthest_m) furthest.insert(0, text_in(summary, row, "furthest_body") + ", ");
+    std::string furthest = io::displacement_words(text_in(summary, row, "furthest_observable"));
+    if (body == "all" && furthest_m) furthest.insert(0, name_of(text_in(summary, row, "furthest_body")) + ", ");
     table.rows.back().push_back(shown_number(furthest_m ? std::optional(1e3 * *furthest_m) : std::nullopt));
     table.rows.back().push_back(furthest);
+  }
+  if (is_nought(summary, "without_equilibrium")) {
+    table.columns.erase(table.columns.begin() + without_equilibrium);
+    for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + without_equilibrium);
   }
   return table;
 }
 
-void add_validation(const CommandOutput& output, PageSection& section) {
+void add_validation(const CommandOutput& output, const CommandOutput* loop, PageSection& section) {
+  const BodyName name_of = [&](const std::string& body) { return name_in_validation(body, output, loop); };
   const io::CsvContents errors = io::read_csv(output.folder / "errors.csv");
   PageChart chart{.title = "Displacements in both models: " + file_of(output, "errors.csv"),
                   .x = {.title = "finite elements (mm)"},
@@ -387,7 +452,7 @@ void add_validation(const CommandOutput& output, PageSection& section) {
                   .diagonal = true,
                   .note = "Inside the range of the fit, one series per body."};
   for (const std::string& body : distinct(errors, "body")) {
-    PageSeries series{.name = body, .x = {}, .y = {}, .marks = PageMarks::points};
+    PageSeries series{.name = name_of(body), .x = {}, .y = {}, .marks = PageMarks::points};
     for (std::size_t row = 0; row < errors.row_count(); ++row) {
       const auto elements = number_in(errors, row, "finite_elements");
       const auto surrogate = number_in(errors, row, "surrogate");
@@ -402,19 +467,24 @@ void add_validation(const CommandOutput& output, PageSection& section) {
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (!chart.series.empty()) section.charts.push_back(std::move(chart));
-  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv")));
+  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv"), name_of));
   if (has_file(output, "volume_actuation.csv")) {
     const io::CsvContents actuation = io::read_csv(output.folder / "volume_actuation.csv");
+    std::vector<std::string> columns{"body", "chamber_share", "highest_pressure_Pa", "change_at_highest", "limit_pressure_Pa"};
+    const bool has_vacuum = !is_nought(actuation, "lowest_pressure_Pa");
+    if (has_vacuum) columns.insert(columns.end(), {"lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"});
     section.tables.push_back(shown_table("Change of the outer volume of the body by pressure, on finite elements", actuation,
-                                         {"body", "chamber_share", "highest_pressure_Pa", "change_at_highest",
-                                          "limit_pressure_Pa", "lowest_pressure_Pa", "change_at_lowest", "contact_pressure_Pa"},
-                                         file_of(output, "volume_actuation.csv")));
+                                         columns, file_of(output, "volume_actuation.csv")));
+    PageTable& table = section.tables.back();
     for (const char* fraction : {"chamber_share", "change_at_highest", "change_at_lowest"})
-      show_percent(actuation, fraction, section.tables.back());
-    section.tables.back().note +=
-        " The share of chambers is that of the whole body at rest. Below 0 is vacuum, down to where walls touch (contact "
-        "pressure); no drive from 0 upwards comes there. These are finite elements of load cases. Those of an inflation may be "
-        "others, and so may its limit pressure: thin-wall elements give limit pressures " +
+      show_percent(actuation, fraction, table);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) table.rows[row].front() = name_of(text_in(actuation, row, "body"));
+    table.note += " The share of chambers is that of the whole body at rest.";
+    if (has_vacuum)
+      table.note += " Below 0 is vacuum, down to where walls touch (contact pressure); no drive from 0 upwards comes there.";
+    table.note +=
+        " These are finite elements of load cases. Those of an inflation may be others, and so may its limit pressure: thin-wall "
+        "elements give limit pressures " +
         meshes::thin_wall_excess_text() + " higher than three-field elements.";
   }
 }
@@ -441,6 +511,14 @@ void add_load_cases(const CommandOutput& output, PageSection& section) {
   if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
+/// The columns of a table of a search that people need to know what came out; what is left out is for who studies searches.
+std::vector<std::string> telling_columns(const io::CsvContents& table) {
+  std::vector<std::string> columns = table.columns();
+  constexpr std::array left_out{"hausdorff_dimension", "cached", "pruned", "outside_validity", "champion_outside_validity"};
+  std::erase_if(columns, [&](const std::string& column) { return std::ranges::find(left_out, column) != left_out.end(); });
+  return columns;
+}
+
 void add_search(const CommandOutput& output, const std::vector<CommandOutput>& outputs, PageSection& section) {
   const SearchTables tables = read_search_tables(output, outputs);
   const std::string best = fitness_column(tables.generations);
@@ -460,8 +538,8 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
     chart.series.push_back(
         {.name = "mean of the survivors", .x = generations, .y = column_of(tables.generations, *means), .dashed = true});
   section.charts.push_back(std::move(chart));
-  std::vector<std::string> columns = tables.generations.columns();
-  section.tables.push_back(shown_table("Generations: " + tables.source, tables.generations, columns, tables.source));
+  section.tables.push_back(
+      shown_table("Generations: " + tables.source, tables.generations, telling_columns(tables.generations), tables.source));
   if (!tables.lineage || tables.lineage->row_count() == 0) return;
   const io::CsvContents& lineage = *tables.lineage;
   const auto fitness =
@@ -481,22 +559,107 @@ void add_search(const CommandOutput& output, const std::vector<CommandOutput>& o
                               .note = "Each point is the parent of the next."});
   }
   section.tables.push_back(shown_table("Lineage of " + tables.lineage_of + ": " + tables.lineage_source, lineage,
-                                       lineage.columns(), tables.lineage_source));
+                                       telling_columns(lineage), tables.lineage_source));
 }
 
-/// Whether a re-evaluation compares its finite elements with those of the search, not with voxels.
-bool compares_elements(const CommandOutput& output) {
+/// What a re-evaluation compares, by its manifest.
+struct ReevaluationWords {
+  std::string search;  ///< the model that decided the search, or the one beside finite elements: "search (draft finite elements)"
+  std::string elements = "finite elements";  ///< of the re-evaluation: "standard finite elements"
+  std::string measure;                       ///< of distances and directions; empty if it is not known
+};
+
+/// "draft finite elements", by the table of elements of a study
+std::string elements_words(const nlohmann::json* elements) {
+  const std::string fidelity = elements == nullptr ? "" : text_of(*elements, "fidelity");
+  return fidelity + (fidelity.empty() ? "" : " ") + "finite elements";
+}
+
+/// How a search measures its walks, for people; empty if it is not known.
+std::string measure_words(const nlohmann::json& search) {
+  const nlohmann::json* evaluation = object_of(search, "evaluation");
+  const std::string measure = evaluation == nullptr ? "" : text_of(*evaluation, "measure");
+  if (measure == "last_periods")
+    return "in a period of the drive, by its last " + shown_number(number_of(*evaluation, "measure_periods"));
+  if (measure != "net_displacement") return "";
+  const nlohmann::json* time = object_of(search, "time");
+  const double from_s = time == nullptr ? 0.0 : number_of(*time, "measure_from_s").value_or(0.0);
+  return "from " + (from_s > 0.0 ? shown_number(from_s) + " s" : std::string("the start")) + " to the end";
+}
+
+ReevaluationWords reevaluation_words(const CommandOutput& output) {
   const nlohmann::json parameters = nlohmann::json::parse(output.parameters, nullptr, false);
+  ReevaluationWords words{.search = "surrogate", .measure = {}};
+  if (!parameters.is_object()) return words;
+  words.elements = elements_words(object_of(parameters, "elements"));
   const nlohmann::json* search = object_of(parameters, "search");
-  const nlohmann::json* evaluation = search == nullptr ? nullptr : object_of(*search, "evaluation");
-  return evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels";
+  if (search == nullptr) return words;
+  words.measure = measure_words(*search);
+  // The file has one set of columns, called surrogate, for whatever model decided the search.
+  const nlohmann::json* evaluation = object_of(*search, "evaluation");
+  if (evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels")
+    words.search = "search (" + elements_words(object_of(*search, "elements")) + ")";
+  return words;
+}
+
+/// The heads of a table of robots in both models: each with its model.
+void name_models(const ReevaluationWords& words, PageTable& robots) {
+  constexpr std::string_view speed = " (body lengths / min)";
+  for (std::string& title : robots.columns) {
+    for (const auto& [model, name] : {std::pair<std::string_view, std::string>{"surrogate", words.search},
+                                      std::pair<std::string_view, std::string>{"elements", words.elements}})
+      if (title.starts_with(model)) title = name + ":" + title.substr(model.size());
+    if (title.ends_with(":" + std::string(speed))) title.insert(title.size() - speed.size(), " speed");
+    if (title == "angle (degrees)") title = "angle between both (degrees)";
+    if (title.ends_with(": relative error")) title = words.search + ": error of the displacement (share)";
+  }
+  if (!words.measure.empty()) {
+    robots.title += ", " + words.measure;
+    robots.note += " Speeds and directions are those " + words.measure +
+                   "; those in the table of walks are from start to end, and may differ.";
+  }
+  if (words.search != "surrogate") robots.note += " Columns of the search are called surrogate in the file.";
+}
+
+/// What a row of ranking.csv is about, for people.
+std::string ranking_words(const std::string& quantity) {
+  if (quantity == "spearman") return "rank correlation of distances (Spearman)";
+  if (quantity == "kendall") return "rank correlation of distances (Kendall)";
+  constexpr std::string_view direction = "direction_within_";
+  constexpr std::string_view top = "top_";
+  const auto number_after = [&](std::string_view begin) {
+    return quantity.substr(begin.size(), quantity.find('_', begin.size()) - begin.size());
+  };
+  if (quantity.starts_with(direction)) return "share of directions within " + number_after(direction) + " degrees";
+  if (quantity.starts_with(top) && quantity.ends_with("_relative_regret"))
+    return "that loss as a share of the best speed, with the search's best " + number_after(top);
+  if (quantity.starts_with(top) && quantity.find("_regret_") != std::string::npos)
+    return "speed lost if finite elements judge only the search's best " + number_after(top) + " (body lengths / min)";
+  return io::shown_column(quantity).title();
+}
+
+/// How well a search ranks. Rows without a value are left out.
+PageTable ranking_table(const io::CsvContents& ranking, const std::string& file) {
+  PageTable table{.title = "How well the search ranks",
+                  .columns = {"robots", "quantity", "value", "95 % from", "95 % to", "counted", "of"},
+                  .rows = {},
+                  .note = "How each is computed: " + file + "."};
+  for (std::size_t row = 0; row < ranking.row_count(); ++row) {
+    if (!number_in(ranking, row, "value")) continue;
+    std::vector<std::string> cells{text_in(ranking, row, "designs"), ranking_words(text_in(ranking, row, "quantity"))};
+    for (const char* column : {"value", "low_95", "high_95", "count", "of"})
+      cells.push_back(shown_cell(ranking, row, io::shown_column(column)));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
 }
 
 void add_reevaluation(const CommandOutput& output, PageSection& section) {
   const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
-  PageChart chart{.title = "Speeds of robots in both models",
-                  .x = {.title = "model of the search (body lengths / min)"},
-                  .y = {.title = "finite elements (body lengths / min)"},
+  const ReevaluationWords words = reevaluation_words(output);
+  PageChart chart{.title = "Speeds of robots in both models" + (words.measure.empty() ? "" : ", " + words.measure),
+                  .x = {.title = words.search + " (body lengths / min)"},
+                  .y = {.title = words.elements + " (body lengths / min)"},
                   .series = {},
                   .diagonal = true,
                   .note = "A robot on the diagonal walks as fast in both. From " + file_of(output, "reevaluation.csv") + "."};
@@ -520,18 +683,10 @@ void add_reevaluation(const CommandOutput& output, PageSection& section) {
                    "surrogate_direction_deg", "elements_status", "elements_body_lengths_per_minute", "elements_direction_deg",
                    "distance_ratio", "angle_deg", "surrogate_relative_error"},
                   file_of(output, "reevaluation.csv"));
-  if (compares_elements(output)) {
-    // The file has one set of columns for whatever model decided the search.
-    for (std::string& title : robots.columns)
-      if (title.starts_with("surrogate")) title.replace(0, std::string_view("surrogate").size(), "search");
-    robots.note += " Columns of the search are called surrogate there.";
-  }
+  name_models(words, robots);
   section.tables.push_back(std::move(robots));
-  if (has_file(output, "ranking.csv")) {
-    section.tables.push_back(shown_table("How well the search ranks", io::read_csv(output.folder / "ranking.csv"),
-                                         {"designs", "quantity", "value", "low_95", "high_95", "count", "of", "method"},
-                                         file_of(output, "ranking.csv")));
-  }
+  if (has_file(output, "ranking.csv"))
+    section.tables.push_back(ranking_table(io::read_csv(output.folder / "ranking.csv"), file_of(output, "ranking.csv")));
   if (has_file(output, "variants.csv")) {
     section.tables.push_back(shown_table(
         "How far the finite elements themselves can be known", io::read_csv(output.folder / "variants.csv"),
@@ -616,13 +771,13 @@ PageSection provenance_section(const std::vector<CommandOutput>& outputs) {
                  .note = "From the manifest of each folder, which also has every parameter."};
   PageTable inputs{.title = "Input files", .columns = {"read by", "file", "SHA-256"}, .rows = {}};
   for (const CommandOutput& output : outputs) {
-    runs.rows.push_back({output.name.empty() ? "." : output.name, command_of(output), output.version,
+    runs.rows.push_back({output.place.empty() ? "." : output.place, command_of(output), output.version,
                          shown_number(output.seconds), output.seed ? std::to_string(*output.seed) : "\u2013",
                          std::to_string(output.inputs.size())});
     for (const auto& [file, hash] : output.inputs)
       inputs.rows.push_back({output.name.empty() ? "." : output.name, file, hash.substr(0, 16)});
     for (const std::string& note : output.notes)
-      section.words.push_back((output.name.empty() ? command_of(output) : output.name) + ": " + note + ".");
+      section.words.push_back((output.name.empty() ? command_of(output) : output.name) + ": " + with_rounded_numbers(note) + ".");
   }
   section.tables.push_back(std::move(runs));
   constexpr std::size_t most_inputs = 300;
@@ -647,13 +802,19 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   std::vector<PageSection> sections;
   const auto keep = [&](PageSection section) {
     keep_distinct(section.words);
-    for (PageChart& chart : section.charts) thin_series(chart);
+    for (PageChart& chart : section.charts) {
+      join_equal_series(chart);
+      thin_series(chart);
+    }
     if (!section.charts.empty() || !section.tables.empty() || !section.words.empty()) sections.push_back(std::move(section));
   };
   using Add = std::function<void(const CommandOutput&, PageSection&)>;
   const std::vector<const CommandOutput*> searches = searches_in(outputs);
   const auto add_searches = [&](const CommandOutput& output, PageSection& section) {
     if (std::ranges::find(searches, &output) != searches.end()) add_search(output, outputs, section);
+  };
+  const auto add_validations = [&](const CommandOutput& output, PageSection& section) {
+    add_validation(output, loop_of(outputs), section);
   };
   const auto each = [&](const char* title, const char* id, const std::map<std::string, Add>& commands) {
     PageSection section{.title = title, .id = id};
@@ -670,7 +831,7 @@ std::vector<PageSection> report_sections(const std::vector<CommandOutput>& outpu
   };
   each("Inflation", "inflation", {{"inflate", add_inflation}});
   keep(walk_section(outputs, notes));
-  each("Shapes of the surrogate", "validation", {{"validate", add_validation}});
+  each("Shapes of the surrogate", "validation", {{"validate", add_validations}});
   each("Calibration", "calibration", {{"calibrate", add_calibration}});
   each("Search", "search", {{"evolve", add_searches}, {"export", add_searches}, {"confirm", add_confirmation}});
   each("Robots of the search on finite elements", "ranking", {{"reevaluate", add_reevaluation}});

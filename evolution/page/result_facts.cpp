@@ -1,15 +1,16 @@
 #include "evolution/page/result_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
-#include "evolution/posture/bend.h"
 #include "evolution/posture/fall.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
@@ -65,14 +66,7 @@ InflationFacts inflation_facts(const CommandOutput& output) {
     }
   }
   facts.last_pressure_Pa = last_pressure_Pa(curves);
-  if (output.stated.supports == "free" && output.stated.body) {
-    try {
-      if (const auto bend = bend_in_inflation(output.folder, output.stated.body->cell_edge_m))
-        facts.sideways_m = bend->sideways_m;
-    } catch (const io::InputError&) {
-      // The curves are known without the fields; what shows them in 3-D says that they cannot be read.
-    }
-  }
+  if (const auto bend = bend_of(output)) facts.sideways_m = bend->sideways_m;
   for (const std::string& column : curves.columns()) {
     if (!column.ends_with("_volume_m3") || !highest) continue;
     const auto at_rest = number_in(curves, 0, column);
@@ -111,7 +105,24 @@ std::size_t count_in(const io::CsvContents& table, std::size_t row, const char* 
   return static_cast<std::size_t>(std::max(0.0, number_in(table, row, column).value_or(0.0)));
 }
 
-ValidationFacts validation_facts(const CommandOutput& output) {
+/// Why numbers of a validation lie outside the range of validity, for people.
+std::vector<std::string> reasons_outside(const io::CsvContents& errors) {
+  const std::array<std::pair<const char*, const char*>, 4> words{{{"chambers", "its chambers are not those of the fit"},
+                                                                  {"size", "it is longer than the bodies of the fit"},
+                                                                  {"pressure", "its pressures are beyond those of the fit"},
+                                                                  {"strain", "it strains more than the fit has seen"}}};
+  std::vector<std::string> reasons;
+  for (const auto& [validity, reason] : words) {
+    bool is_there = false;
+    for (std::size_t row = 0; row < errors.row_count(); ++row)
+      is_there = is_there || text_in(errors, row, "validity") == validity;
+    if (is_there) reasons.emplace_back(reason);
+  }
+  return reasons;
+}
+
+ValidationFacts validation_facts(const CommandOutput& output, const CommandOutput* loop) {
+  const auto name_of = [&](const std::string& body) { return name_in_validation(body, output, loop); };
   ValidationFacts facts{.source = file_of(output, "summary.csv"), .displacement = {}, .volume = {}};
   const io::CsvContents summary = io::read_csv(output.folder / "summary.csv");
   std::set<std::string> bodies;
@@ -132,13 +143,13 @@ ValidationFacts validation_facts(const CommandOutput& output) {
                   .median = number_in(summary, row, "median"),
                   .percentile_90 = number_in(summary, row, "percentile_90"),
                   .worst = number_in(summary, row, "worst"),
-                  .worst_body = text_in(summary, row, "worst_body"),
+                  .worst_body = name_of(text_in(summary, row, "worst_body")),
                   .worst_observable = io::displacement_words(text_in(summary, row, "worst_observable")),
                   .median_m = number_in(summary, row, "median_m"),
                   .worst_m = number_in(summary, row, "worst_m"),
                   .furthest_m = number_in(summary, row, "furthest_m"),
                   .furthest_error = number_in(summary, row, "furthest_error"),
-                  .furthest_body = text_in(summary, row, "furthest_body"),
+                  .furthest_body = name_of(text_in(summary, row, "furthest_body")),
                   .furthest_observable = io::displacement_words(text_in(summary, row, "furthest_observable"))};
   }
   facts.bodies = bodies.size();
@@ -147,17 +158,19 @@ ValidationFacts validation_facts(const CommandOutput& output) {
     if (const std::string status = ended.text("status"); status != "completed")
       facts.early_end = status + ", " + ended.text_or("reason", "no reason");
   }
+  if (const std::filesystem::path errors = output.folder / "errors.csv"; io::is_file(errors))
+    facts.outside_why = reasons_outside(io::read_csv(errors));
   const std::filesystem::path signs_file = output.folder / "signs.csv";
   if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     // As with medians: those outside the range of validity tell only where nothing was compared inside.
-    if (facts.displacement && signs.has("range") && text_in(signs, row, "range") != "inside") continue;
+    if (facts.displacement.count > 0 && signs.has("range") && text_in(signs, row, "range") != "inside") continue;
     facts.signs += count_in(signs, row, "count");
     const std::size_t wrong = count_in(signs, row, "wrong");
     facts.wrong_signs += wrong;
     if (wrong == 0) continue;
-    std::string way = facts.bodies > 1 ? text_in(signs, row, "body") + " " : "";
+    std::string way = facts.bodies > 1 ? name_of(text_in(signs, row, "body")) + " " : "";
     way += io::shown_column(text_in(signs, row, "observable")).quantity + " (" + std::to_string(wrong) + " of " +
            text_in(signs, row, "count") + ")";
     facts.wrong_ways.push_back(std::move(way));
@@ -304,8 +317,18 @@ const char* to_string(WalkModel model) {
   return "";
 }
 
+std::optional<Bend> bend_of(const CommandOutput& inflation) {
+  if (inflation.stated.supports != "free" || !inflation.stated.body) return std::nullopt;
+  try {
+    return bend_in_inflation(inflation.folder, inflation.stated.body->cell_edge_m);
+  } catch (const io::InputError&) {
+    return std::nullopt;
+  }
+}
+
 ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes) {
   ReportFacts facts;
+  if (const CommandOutput* loop = loop_of(outputs)) facts.robot_walks = loop->robot_walks;
   const std::vector<const CommandOutput*> searches = searches_in(outputs);
   for (const CommandOutput& output : outputs) {
     const std::string command = command_of(output);
@@ -315,7 +338,7 @@ ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<st
     try {
       if (command == "inflate") facts.inflations.push_back(inflation_facts(output));
       if (command == "calibrate") facts.calibrations.push_back(calibration_facts(output));
-      if (command == "validate") facts.validations.push_back(validation_facts(output));
+      if (command == "validate") facts.validations.push_back(validation_facts(output, loop_of(outputs)));
       if (command == "simulate" || command == "locomote") facts.walks.push_back(walk_facts(output));
       if (command == "reevaluate") facts.rankings.push_back(ranking_facts(output));
       if (std::ranges::find(searches, &output) != searches.end()) facts.searches.push_back(search_facts(output, outputs));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evolution/page/command_outputs.h"
+#include "evolution/posture/bend.h"
 #include "io/text/run_status.h"
 #include "meshes/load_cases/limit_pressure.h"
 
@@ -67,10 +68,11 @@ struct ValidationFacts {
   std::string early_end{};  ///< of the finite elements of a loop's robot: status and reason; empty if they reached all states
   ErrorFact displacement{};
   ErrorFact volume{};
-  std::size_t outside = 0;                ///< numbers outside the range of validity
-  std::size_t signs = 0;                  ///< displacements that are large enough to have a direction
-  std::size_t wrong_signs = 0;            ///< of these, those that go the other way in the surrogate
-  std::vector<std::string> wrong_ways{};  ///< "extent y (5 of 5)": displacements of one kind that go the wrong way
+  std::size_t outside = 0;                 ///< numbers outside the range of validity
+  std::vector<std::string> outside_why{};  ///< for people, why: "it is longer than the bodies of the fit"; each once
+  std::size_t signs = 0;                   ///< displacements that are large enough to have a direction
+  std::size_t wrong_signs = 0;             ///< of these, those that go the other way in the surrogate
+  std::vector<std::string> wrong_ways{};   ///< "extent y (5 of 5)": displacements of one kind that go the wrong way
 };
 
 enum class WalkModel { elements, surrogate, voxels };
@@ -159,9 +161,14 @@ struct ReportFacts {
   std::vector<SearchFacts> searches{};
   std::vector<ModesFacts> modes{};
   std::vector<ShippedParameters> shipped{};  ///< each file once
+  bool robot_walks = true;                   ///< false if the results are of a loop's robot that is only inflated
   /// At which the body of a loop balloons by the softest law of its silicone, where that is softer than the law it has.
   std::optional<double> softest_limit_Pa{};
 };
+
+/// Returns how a body that floats free bends in its inflation; nothing for others, or if its states cannot be read, which is told
+/// where they are shown in 3-D.
+std::optional<Bend> bend_of(const CommandOutput& inflation);
 
 /// Reads what the outputs say. @param notes gets a sentence for every file that is missing or cannot be read
 ReportFacts read_facts(const std::vector<CommandOutput>& outputs, std::vector<std::string>& notes);

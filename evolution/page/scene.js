@@ -3,7 +3,7 @@
 
 const ramp = [[244, 240, 220], [161, 218, 180], [65, 182, 196], [44, 127, 184], [37, 52, 148]];  // light to dark, also for the colour-blind
 const plainColours = [[0.80, 0.77, 0.70], [0.56, 0.69, 0.82]];
-const phaseColours = [[0.62, 0.62, 0.62], [0.34, 0.71, 0.91], [0.84, 0.37, 0.0]];
+const unknownColour = [0.62, 0.62, 0.62];
 
 function rampColour(share) {
   const at = Math.min(0.9999, Math.max(0, share)) * (ramp.length - 1);
@@ -12,6 +12,9 @@ function rampColour(share) {
 }
 
 function cssColour(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
+
+// The colour of material 1 or 2, as charts and animations have it.
+function materialColour(material) { return [1, 3, 5].map((at) => parseInt(cssColour(`--m${material}`).slice(at, at + 2), 16) / 255); }
 
 function aligned(bytes, Type) { return new Type(bytes.buffer, bytes.byteOffset, bytes.byteLength / Type.BYTES_PER_ELEMENT); }
 
@@ -74,12 +77,34 @@ class Body {
     return this.centres[n].map((c, axis) => c + part * (next[axis] - c) - this.centres[0][axis]);
   }
 
+  // The material of a chamber: that of most faces near it. 0 if this is not known.
+  materialOf(chamber) {
+    const counts = [0, 0, 0];
+    if (this.materials && this.chambers) this.chambers.forEach((near, f) => { if (near === chamber) ++counts[this.materials[f]]; });
+    return counts[1] === counts[2] ? 0 : counts[1] > counts[2] ? 1 : 2;
+  }
+
+  // "pressure 1.20 kPa", or where chambers are of one material each "pressure 1.20 kPa in material 1, 0.00 kPa in material 2".
+  pressureText(time) {
+    if (!this.chamberMaterials) this.chamberMaterials = this.pressures.map((_, chamber) => this.materialOf(chamber));
+    const texts = this.pressures.map((p) => `${(this.between(p, time) / 1000).toFixed(2)} kPa`);
+    if (this.chamberMaterials.length < 2 || this.chamberMaterials.includes(0)) return 'pressure ' + texts.slice(0, 4).join(', ');
+    const of = (material) => [...new Set(texts.filter((_, chamber) => this.chamberMaterials[chamber] === material))].slice(0, 3);
+    return 'pressure ' + [1, 2].filter((m) => of(m).length).map((m) => `${of(m).join(' and ')} in material ${m}`).join(', ');
+  }
+
   // The time of the last full stroke: the last frame at the highest pressure. Undefined where no pressure is known.
   fullStroke() {
     const pressures = this.pressures.length ? this.pressures[0] : [];
     const [low, high] = extent(pressures);
     if (!(high > low)) return undefined;
     return this.times[pressures.map((p) => p >= high - 0.02 * (high - low)).lastIndexOf(true)];
+  }
+
+  // That the motion has ended before a time: " (ended at 2 s)". A few steps of time are no difference.
+  ended(time, unit) {
+    const end = this.times[this.times.length - 1];
+    return time - end > 0.01 * time ? ` (ended at ${shown(Number(end.toPrecision(3)))} ${unit})` : '';
   }
 
   // The horizontal displacement of the centre of mass, or where that is not known of the middle of the surface, in m.
@@ -175,6 +200,7 @@ function colourings(bodies) {
   const ways = [];
   const plain = (body) => plainColours[body.number % plainColours.length];
   if (bodies.some((b) => b.materials)) {
+    const phaseColours = [unknownColour, materialColour(1), materialColour(2)];
     ways.push({
       name: 'phase',
       ofFace: (body, f) => (body.materials ? phaseColours[body.materials[f]] || phaseColours[0] : plain(body)),
@@ -204,7 +230,7 @@ function colourings(bodies) {
     if (high > low) ways.push({
       name: 'pressure',
       ofFace: (body, f, time) => {
-        if (!body.pressures.length) return phaseColours[0];
+        if (!body.pressures.length) return unknownColour;
         const chamber = body.chambers ? body.chambers[f] : 0;
         return rampColour((body.between(body.pressures[Math.min(chamber, body.pressures.length - 1)], time) - low) / (high - low));
       },
@@ -340,9 +366,9 @@ function drawMotion(data, parent) {
     const scene = state.scene, parts = [];
     parts.push(scene.unit ? `${scene.clock} ${state.time.toFixed(3)} ${scene.unit}` : `${scene.clock} ${shown(Number(state.time.toFixed(3)))}`);
     const pressed = state.bodies.find((b) => b.pressures.length);
-    if (pressed) parts.push('pressure ' + pressed.pressures.map((p) => `${(pressed.between(p, state.time) / 1000).toFixed(2)} kPa`).slice(0, 4).join(', '));
+    if (pressed) parts.push(pressed.pressureText(state.time));
     readoutTime.textContent = parts.join(' \u00b7 ');
-    readoutMoved.textContent = scene.ground === null ? '' : state.bodies.map((b) => `${b.name}: ${b.travelled.length ? 'centre of mass' : 'middle'} moved ${(1000 * b.moved(state.time)).toFixed(1)} mm`).join(' \u00b7 ');
+    readoutMoved.textContent = scene.ground === null ? '' : state.bodies.map((b) => `${b.name}: ${b.travelled.length ? 'centre of mass' : 'middle'} moved ${(1000 * b.moved(state.time)).toFixed(1)} mm${b.ended(state.time, scene.unit)}`).join(' \u00b7 ');
     slider.setAttribute('aria-valuetext', readoutTime.textContent);
   }
 

@@ -12,8 +12,13 @@ PageTable shown_table(const std::string& title, const io::CsvContents& table, co
   constexpr std::size_t most_rows = 200;
   PageTable shown{.title = title, .columns = {}, .rows = {}};
   std::vector<io::ShownColumn> known;
+  const auto is_empty = [&](const std::string& column) {
+    for (std::size_t row = 0; row < table.row_count(); ++row)
+      if (!table.text(row, column).empty()) return false;
+    return table.row_count() > 0;
+  };
   for (const std::string& column : columns) {
-    if (!table.has(column)) continue;
+    if (!table.has(column) || is_empty(column)) continue;
     known.push_back(io::shown_column(column));
     shown.columns.push_back(known.back().title());
   }

@@ -213,10 +213,17 @@ Tone tone_of(const ValidationFacts& facts) {
 /// Whether all that was compared lies outside the range of the fit, of one body alone.
 bool is_all_outside(const ValidationFacts& facts) { return facts.bodies == 1 && !facts.displacement.median && facts.outside > 0; }
 
+/// ": it is longer than the bodies of the fit"; empty if it is not known.
+std::string why_text(const ValidationFacts& facts) {
+  return facts.outside_why.empty() ? "" : ": " + io::joined(facts.outside_why, "; ");
+}
+
 Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
-    return {Tone::bad, "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit.",
+    return {Tone::bad,
+            "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit" +
+                why_text(facts) + ".",
             facts.source};
   }
   if (!shapes.median) {
@@ -246,11 +253,13 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   text += ".";
   if (facts.wrong_signs > 0)
     text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
-            " go the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
+            " of at least " + io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
+            " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
   if (shapes.without_equilibrium > 0)
     text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)
-    text += " " + counted(facts.outside, "number", "numbers") + " outside the range of the fit do not count here.";
+    text += " " + counted(facts.outside, "number outside the range of the fit does", "numbers outside the range of the fit do") +
+            " not count here" + why_text(facts) + ".";
   if (facts.bodies == 1 && tone_of(facts) == Tone::bad) text += " Do not trust the surrogate for this body.";
   return {tone_of(facts), text, facts.source};
 }
@@ -377,7 +386,7 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
       agreement != meshes::WalkAgreement::both_go_nowhere && agreement != meshes::WalkAgreement::one_goes_nowhere;
   if (const auto angle_deg = angle_of(elements, surrogate); angle_deg && both_walk && is_known) {
     const bool differs = *angle_deg > meshes::walk_limits::same_direction_deg;
-    text += (differs ? ", in another direction (" : ", in about the same direction (") + degrees_text(*angle_deg) + " apart)";
+    text += (differs ? ", in another direction (" : ", in about the same direction (") + io::degrees(*angle_deg) + " apart)";
   }
   if (!is_known)
     return conclude(Tone::note, std::nullopt,
@@ -442,7 +451,7 @@ Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
   finding.text += counted(group.walks.size(), "walk", "walks") + " on finite elements, of one body driven alike (" + one->place +
                   " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
                   "): " + speed_number(*one->per_minute) + " and " + speed_text(*other->per_minute);
-  if (const auto angle_deg = angle_of(*one, *other)) finding.text += ", " + degrees_text(*angle_deg) + " apart";
+  if (const auto angle_deg = angle_of(*one, *other)) finding.text += ", " + io::degrees(*angle_deg) + " apart";
   switch (group.worst) {
     case meshes::WalkAgreement::alike:
       finding.text += ". They agree, so this walk is known as far as finite elements go.";
@@ -633,8 +642,8 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   const auto has = [&](auto is) { return std::ranges::any_of(facts.walks, is); };
   const bool has_elements = has([](const WalkFacts& walk) { return walk.model == WalkModel::elements; });
   const bool has_other = has([](const WalkFacts& walk) { return walk.model != WalkModel::elements; });
-  if (!has_elements) findings.push_back(missing("A walk on finite elements", "locomote"));
-  if (!has_other) findings.push_back(missing("A walk in the surrogate", "simulate"));
+  if (!has_elements && facts.robot_walks) findings.push_back(missing("A walk on finite elements", "locomote"));
+  if (!has_other && facts.robot_walks) findings.push_back(missing("A walk in the surrogate", "simulate"));
   trust.are_in_both = has_elements && has_other;
   if (trust.are_in_both && pairs.empty()) {
     findings.push_back({Tone::missing,

@@ -25,10 +25,12 @@
 #include "io/picture/picture_series.h"
 #include "io/picture/scale_bar.h"
 #include "io/process/child_program.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/walk_agreement.h"
 #include "voxel/picture/picture_parts.h"
 #include "voxel/picture/picture_view.h"
 
@@ -105,6 +107,20 @@ vtkSmartPointer<vtkPolyData> surface_at(const PageBody& body, double time, std::
   return surface;
 }
 
+/// ": 12.3 mm", ": 12.3 mm (ended at 2 s)": how far a body has come; without the way if it is not known.
+std::string way_text(const PageBody& body, double time) {
+  std::string text;
+  if (body.travelled_m.size() == body.times.size()) {
+    const auto [frame, share] = place_in_time(body, time);
+    const std::size_t next = std::min(frame + 1, body.times.size() - 1);
+    const double way_m = body.travelled_m[frame] + share * (body.travelled_m[next] - body.travelled_m[frame]);
+    text = ": " + io::formatted("%.1f mm", 1e3 * way_m);
+  }
+  const double end = body.times.back();
+  if (time > end && !meshes::last_as_long(time, end)) text += " (ended at " + io::shown(end, 3) + " s)";
+  return text;
+}
+
 /// Draws the pictures of a walk.
 class WalkPictures {
  public:
@@ -158,7 +174,7 @@ class WalkPictures {
     const double bar_m = io::scale_bar_length(0.3 * std::max(world_.size(0), world_.size(1)));
     const voxel::Vector begin{floor.low[0], floor.low[1], below(1)};
     voxel::add_trail(*renderer_, std::vector<voxel::Vector>{begin, {begin[0] + bar_m, begin[1], begin[2]}});
-    const std::string caption = caption_of(time, bar_m);
+    const std::string caption = walk_caption(scene_, time, pace_.slower, bar_m);
     constexpr std::size_t widest = 104;  // letters of this size that fit
     voxel::add_caption(*renderer_, caption, 0.5, caption.size() <= widest ? 15 : 12);
     voxel::Extent seen = seen_;
@@ -175,28 +191,6 @@ class WalkPictures {
     return trail;
   }
 
-  /// ": 12.3 mm": how far a body has come; empty if it is not known.
-  [[nodiscard]] static std::string way_text(const PageBody& body, double time) {
-    if (body.travelled_m.size() != body.times.size()) return "";
-    const auto [frame, share] = place_in_time(body, time);
-    const std::size_t next = std::min(frame + 1, body.times.size() - 1);
-    const double way_m = body.travelled_m[frame] + share * (body.travelled_m[next] - body.travelled_m[frame]);
-    return ": " + io::formatted("%.1f mm", 1e3 * way_m);
-  }
-
-  [[nodiscard]] std::string caption_of(double time, double bar_m) const {
-    std::string text;
-    const std::vector<PageBody>& bodies = scene_.bodies;
-    if (bodies.size() == 2)
-      text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
-             way_text(bodies[1], time) + ", ";
-    if (scene_.angle_deg) text += degrees_text(*scene_.angle_deg) + " apart, ";
-    if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
-    text += io::formatted("%.2f s", time);
-    if (pace_.slower > 1) text += ", shown " + std::to_string(pace_.slower) + " times slower";
-    return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
-  }
-
   const PageScene& scene_;
   voxel::View view_;
   voxel::Extent world_;
@@ -208,6 +202,19 @@ class WalkPictures {
 };
 
 }  // namespace
+
+std::string walk_caption(const PageScene& scene, double time, int slower, double bar_m) {
+  std::string text;
+  const std::vector<PageBody>& bodies = scene.bodies;
+  if (bodies.size() == 2)
+    text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
+           way_text(bodies[1], time) + ", ";
+  if (scene.angle_deg) text += io::degrees(*scene.angle_deg) + " apart, ";
+  if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
+  text += io::formatted("%.2f s", time);
+  if (slower > 1) text += ", shown " + std::to_string(slower) + " times slower";
+  return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
+}
 
 AnimationPace pace_of(double duration_s) {
   constexpr double least_s = 4.0;

@@ -29,6 +29,10 @@ struct AnimationOutcome {
 /// Returns the path of ffmpeg in PATH, or nothing.
 std::optional<std::filesystem::path> find_ffmpeg();
 
+/// Returns the words below a picture of a walk: how far each body has come at a time, or when it ended before; the time, and the
+/// length of the bar. @param slower see AnimationPace
+std::string walk_caption(const PageScene& scene, double time, int slower, double bar_m);
+
 /// Draws the walk of a scene as an animation (GIF), whole or not at all: its bodies on the ground with shadows and paths, the
 /// time, and the length of a bar. Pictures are drawn by VTK without a screen and joined by ffmpeg.
 /// @param scene has at least one body and is on the ground, with a clock in seconds

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "evolution/report/study_view.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 
 namespace menger::evolution {

@@ -86,6 +86,16 @@ void fill_window(vtkRenderWindow& window, const Chart& chart, const PictureStyle
 
 Colour chart_colour(std::size_t series) { return colours.at(series % colours.size()); }
 
+bool look_alike(const std::vector<double>& a, const std::vector<double>& b, double span) {
+  constexpr double least_seen = 2e-3;  // of an axis of some hundred pixels
+  if (a.size() != b.size()) return false;
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    const bool is_gap = !std::isfinite(a[n]) || !std::isfinite(b[n]);
+    if (is_gap ? std::isfinite(a[n]) != std::isfinite(b[n]) : std::abs(a[n] - b[n]) > least_seen * span) return false;
+  }
+  return true;
+}
+
 PictureOutcome write_chart(const std::filesystem::path& file, const Chart& chart, const PictureStyle& style) {
   check(file, chart);
   return write_picture(file, style, [&](vtkRenderWindow& window) { fill_window(window, chart, style); });

@@ -21,6 +21,9 @@ inline constexpr Colour chart_ink{38, 38, 38};
 /// first eight apart.
 Colour chart_colour(std::size_t series);
 
+/// Returns whether two rows of numbers look the same on an axis that spans so much, so that of two curves one hides the other.
+bool look_alike(const std::vector<double>& a, const std::vector<double>& b, double span);
+
 /// How the points of a series are drawn.
 enum class Marks { line, points, line_and_points };
 

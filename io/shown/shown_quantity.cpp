@@ -26,7 +26,7 @@ std::string percents(double fraction) {
 
 std::string degrees(double angle_deg) {
   const std::string text = formatted("%.0f", std::round(angle_deg) + 0.0);
-  return text + (text == "1" ? " degree" : " degrees");
+  return text + (text == "1" || text == "-1" ? " degree" : " degrees");
 }
 
 std::string body_lengths(double number) {

@@ -10,6 +10,11 @@ double angle_between(double a_deg, double b_deg) {
   return std::min(turned, 360.0 - turned);
 }
 
+bool last_as_long(double a_s, double b_s) {
+  constexpr double largest_share = 0.01;
+  return std::abs(a_s - b_s) <= largest_share * std::max(a_s, b_s);
+}
+
 WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b) {
   const bool a_stays = a.body_lengths < walk_limits::least_body_lengths;
   const bool b_stays = b.body_lengths < walk_limits::least_body_lengths;

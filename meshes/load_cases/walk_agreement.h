@@ -27,6 +27,9 @@ inline constexpr double same_direction_deg = 45.0;  ///< directions agree within
 /// Returns the angle between two directions, 0 to 180 degrees.
 double angle_between(double a_deg, double b_deg);
 
+/// Returns whether two walks last equally long but for a few steps of time: distances of others are not compared.
+bool last_as_long(double a_s, double b_s);
+
 /// Compares two walks by their speeds and directions. Directions agree if one of them is not known.
 WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b);
 

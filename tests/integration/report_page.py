@@ -134,6 +134,36 @@ def check_first_view(browser, check):
     check.that(float(largest.split()[0]) < 1, f"a body that travels without a change of shape is displaced by nothing: {largest!r}")
 
 
+def check_ends(browser, check):
+    """Beside a longer walk, one that has ended says so. The page has been opened."""
+    told = browser.value("[1, 2.01, 4].map(time => Body.prototype.ended.call({times: [0, 2]}, time, 's'))")
+    check.that(told == ["", "", " (ended at 2 s)"], f"a walk beside a longer one tells when it ended: {told}")
+
+
+def check_chambers(browser, check):
+    """Pressures are told with the material of their chambers, and materials have one colour in 3-D and in charts. The page has been opened."""
+    told = browser.value("Object.assign(Object.create(Body.prototype), {times: [0, 1], pressures: [[1000, 2000], [500, 0], [500, 0]], chambers: [0, 1, 2, 0], materials: [2, 1, 1, 2]})"
+                         ".pressureText(1)")
+    check.that(told == "pressure 0.00 kPa in material 1, 2.00 kPa in material 2", f"pressures have the material of their chamber: {told!r}")
+    drawn = browser.value("[1, 2].map(m => [materialColour(m).map(c => Math.round(255 * c)), seriesColour(5, {material: m}), seriesColour(5, {})])")
+    check.that(drawn == [[[0, 114, 178], "var(--m1)", "var(--c5)"], [[213, 94, 0], "var(--m2)", "var(--c5)"]], f"materials have one colour: {drawn}")
+
+
+def check_narrow_table(browser, check):
+    """On a phone, a table of long texts has rows of few lines, and is scrolled in one direction only. The page has been opened."""
+    browser.resize(390, 844)
+    rows = ", ".join("['speed lost if finite elements judge only the best 1 (body lengths / min)', 'completed', '0.2065', '1', '1', '2', '3']" for _ in range(11))
+    browser.value("drawTable({title: 'narrow', note: '', columns: ['quantity', 'status', 'search (draft finite elements): speed (body lengths / min)', 'a', 'b', 'c', 'd'], "
+                  f"rows: [{rows}]}}, document.getElementById('sections'))")
+    browser.settle()
+    lines = browser.value("(() => { const table = [...document.querySelectorAll('.table')].pop(), height = (row) => row.getBoundingClientRect().height / parseFloat(getComputedStyle(row).fontSize);"
+                          " return [...table.querySelectorAll('tr')].map(height).concat([table.scrollHeight - table.clientHeight]); })()")
+    check.that(lines[0] < 9 and max(lines[1:-1]) < 7, f"a narrow screen has rows of few lines (heights {lines[0]:.1f} and {max(lines[1:-1]):.1f} em)")
+    check.that(lines[-1] <= 1, f"a narrow screen scrolls a table in one direction ({lines[-1]} pixels hidden below)")
+    wide = browser.value("document.documentElement.scrollWidth")
+    check.that(wide <= 390, f"a table is no wider than its screen ({wide})")
+
+
 def check_page(browser, check, page, name):
     for scheme in ("light", "dark"):
         browser.prefer(scheme)
@@ -218,9 +248,12 @@ def main():
         browser.open(scratch + "/results/report.html")
         browser.settle()
         check_first_view(browser, check)
+        check_ends(browser, check)
+        check_chambers(browser, check)
         check.that(browser.value("typeof window.harmed") == "undefined", "names of files run no code")
         check.that(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "names of files make no elements")
         check.that(HOSTILE in browser.value("document.body.textContent"), "names of files are shown as they are")
+        check_narrow_table(browser, check)
         check_bad_chart(browser, check)
         browser.resize(1400, 1000)
         check_margins(browser, check)

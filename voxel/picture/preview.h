@@ -17,7 +17,8 @@ struct RobotStyle {
   bool floor = true;  ///< whether to draw the ground
 };
 
-/// Draws a robot as a PNG picture, seen from above at an angle: lit cubes on the ground, material 1 in cyan, material 2 in red.
+/// Draws a robot as a PNG picture, seen from above at an angle: lit cubes on the ground, material 1 in blue, material 2 in
+/// orange.
 ///
 /// Renders off-screen on the available X display, or on a virtual one that is started for this purpose. If there is neither,
 /// nothing is drawn and the outcome states what is missing. The bytes of a picture depend on the graphics library, so pictures

@@ -117,6 +117,32 @@ void add_part(io::ChartPanel& panel, const CurveComparison& comparison, const Cu
   panel.series.push_back(surrogate);
 }
 
+/// Gives curves that cannot be told apart one name, such as those of two feet of a body that is its own mirror image.
+/// @pre every curve has two series, first finite elements and then the surrogate
+void join_what_coincides(io::ChartPanel& panel) {
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (const io::ChartSeries& series : panel.series) {
+    for (const double y : series.y) {
+      lowest = std::min(lowest, y);
+      highest = std::max(highest, y);
+    }
+  }
+  const auto coincide = [&](const io::ChartSeries& a, const io::ChartSeries& b) {
+    return a.x == b.x && io::look_alike(a.y, b.y, highest - lowest);
+  };
+  std::vector<io::ChartSeries> kept;
+  for (std::size_t n = 0; n + 1 < panel.series.size(); n += 2) {
+    bool is_hidden = false;
+    for (std::size_t k = 0; k + 1 < kept.size() && !is_hidden; k += 2) {
+      is_hidden = coincide(kept[k], panel.series[n]) && coincide(kept[k + 1], panel.series[n + 1]);
+      if (is_hidden) kept[k].name += ", " + panel.series[n].name;
+    }
+    if (!is_hidden) kept.insert(kept.end(), {panel.series[n], panel.series[n + 1]});
+  }
+  panel.series = std::move(kept);
+}
+
 io::PictureOutcome write(const std::filesystem::path& file, const io::Chart& chart) {
   return io::write_chart(file, chart,
                          {.width_px = panel_width_px * static_cast<int>(chart.panels.size()), .height_px = panel_height_px});
@@ -136,7 +162,7 @@ io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vec
   return write(file, chart);
 }
 
-io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComparison& comparison) {
+io::Chart curve_chart(const CurveComparison& comparison) {
   io::Chart chart{.title = comparison.load_case().name + ": finite elements (points), surrogate (lines)", .panels = {}};
   const std::vector<std::string>& columns = comparison.curve.columns;
   const std::size_t first = meshes::abscissa_count(comparison.load_case().kind);
@@ -153,7 +179,12 @@ io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComp
     panel.y.title = meshes::response_axis_title(*known);
     for (const CurvePart& part : parts_of(comparison, column)) add_part(panel, comparison, part);
   }
-  return write(file, chart);
+  for (io::ChartPanel& panel : chart.panels) join_what_coincides(panel);
+  return chart;
+}
+
+io::PictureOutcome draw_curve(const std::filesystem::path& file, const CurveComparison& comparison) {
+  return write(file, curve_chart(comparison));
 }
 
 }  // namespace menger::voxel

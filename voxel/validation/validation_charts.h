@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/picture/chart.h"
 #include "io/picture/picture.h"
 #include "voxel/validation/validation.h"
 
@@ -12,6 +13,9 @@ namespace menger::voxel {
 /// is no larger; another the errors in displacement and volume over pressure, by body. @param aim error at which a line is drawn
 /// @throws io::InputError if the place cannot be written
 io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim);
+
+/// Returns the chart of a curve of both models, see draw_curve. What coincides in both models is one curve with both names.
+io::Chart curve_chart(const CurveComparison& comparison);
 
 /// Draws a curve of both models, with one panel per quantity. Points are finite elements, lines are the surrogate.
 /// @throws io::InputError if the place cannot be written

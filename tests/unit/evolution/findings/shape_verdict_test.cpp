@@ -38,11 +38,12 @@ TEST_F(ShapeVerdict, WarnsOfShapesThatTheSurrogateMisses) {
   write("0.1", "5");
   expect_has(
       verdict(),
-      "Do not trust the surrogate's shape of this body: 10 % off in the median; 5 of 10 displacements go the wrong way (the "
+      "Do not trust the surrogate's shape of this body: 10 % off in the median; 5 of 10 displacements of at least 0.2 mm go "
+      "the wrong way (the "
       "extent along x). See validate/worst.png.");
   io::write_whole(folder_ / "validate/signs.csv",
                   "body,observable,range,count,wrong\nrobot,extent_x_m,inside,5,0\nrobot,extent_y_m,outside,6,6\n");
-  expect_has(verdict(), "6 of 11 displacements go the wrong way (the extent along y)");
+  expect_has(verdict(), "6 of 11 displacements of at least 0.2 mm go the wrong way (the extent along y)");
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate's shape of this body: 30 % off");
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");

@@ -17,7 +17,11 @@
 #include <string>
 #include <vector>
 
+#include "evolution/page/report_scenes.h"
+#include "evolution/page/report_sections.h"
+#include "evolution/page/result_facts.h"
 #include "io/text/whole_file.h"
+#include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
@@ -99,6 +103,38 @@ TEST_F(BodyFramesTest, AddDisplacementsToPointsThatDoNotMove) {
   EXPECT_NEAR(box_of(body, 1).first[0], 0.25, 1e-4);
   EXPECT_NEAR(box_of(body, 1).second[0], 1.25, 1e-4);
   EXPECT_NEAR(box_of(body, 0).first[0], 0.0, 1e-4);
+}
+
+TEST_F(BodyFramesTest, AreHeldAtTheNearEndWhereABodyFloatsFree) {
+  add(*block(2, false, 0.0, 0.0));
+  const auto bar = block(2, false, 0.0, 0.25);
+  // Beyond its first cell it bends, and as a whole it has floated away by 0.25.
+  auto& moved = *vtkDoubleArray::SafeDownCast(bar->GetPointData()->GetArray("displacement_m"));
+  for (vtkIdType n = 0; n < bar->GetNumberOfPoints(); ++n)
+    if (bar->GetPoint(n)[0] > 1.5) moved.SetTuple3(n, 0.25, 0.0, -0.5);
+  add(*bar);
+  io::write_collection(folder_ / "fields.pvd", {{0.0, frames_[0].file.filename()}, {1.0, frames_[1].file.filename()}});
+  CommandOutput inflation{.program = "menger-inflate", .folder = folder_.path(), .body_name = "bar"};
+  inflation.stated.body = ManifestBody{.layers = {{"11", "11"}, {"11", "11"}}, .cell_edge_m = 1.0};
+  std::vector<std::string> notes;
+  const auto scene_of_inflation = [&](const std::string& supports) {
+    inflation.stated.supports = supports;
+    return read_scenes({inflation}, plenty, notes).at(0);
+  };
+  const PageScene held = scene_of_inflation("free");
+  EXPECT_NEAR(box_of(held.bodies.at(0), 1).first[0], 0.0, 1e-4);
+  EXPECT_NEAR(box_of(held.bodies.at(0), 1).second[0], 2.0, 1e-4);
+  EXPECT_NEAR(box_of(held.bodies.at(0), 1).first[2], -0.5, 1e-4);
+  EXPECT_TRUE(held.note.ends_with("the middle of its far end moves 500 mm sideways.")) << held.note;
+  EXPECT_NEAR(bend_of(inflation)->sideways_m, 0.5, 1e-9);
+  io::write_whole(folder_ / "curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n");
+  io::write_whole(folder_ / "result.toml", "status = \"completed\"\n");
+  const std::vector<std::string> bends{"the middle of its far end moves sideways, seen from the near one (mm)", "500"};
+  EXPECT_EQ(report_sections({inflation}, notes).at(0).tables.at(0).rows.back(), bends);
+  const PageScene on_ground = scene_of_inflation("ground_guided");
+  EXPECT_NEAR(box_of(on_ground.bodies.at(0), 1).first[0], 0.25, 1e-4);
+  EXPECT_EQ(on_ground.note, "");
+  EXPECT_FALSE(bend_of(inflation));
 }
 
 TEST_F(BodyFramesTest, AddNoDisplacementsToPointsThatMove) {

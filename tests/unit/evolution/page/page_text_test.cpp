@@ -6,6 +6,7 @@
 
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
+#include "voxel/picture/picture_parts.h"
 
 namespace menger::evolution {
 namespace {
@@ -98,6 +99,15 @@ TEST(PageText, SpreadsNoDataIntoArguments) {
   for (const char* name : {"chart.js", "scene.js", "page.js"})
     for (const char* call : {"Math.min(...", "Math.max(...", "Math.min(0, ...", "push(..."})
       EXPECT_EQ(page_source(name).find(call), std::string_view::npos) << name << " has " << call;
+}
+
+TEST(PageText, HasTheColoursOfMaterialsThatPicturesHave) {
+  for (std::size_t n = 0; n < 2; ++n) {
+    std::string colour = "--m" + std::to_string(n + 1) + ": #";
+    for (const unsigned char part : voxel::material_colours.at(n))
+      for (const unsigned digit : {part / 16U, part % 16U}) colour += "0123456789abcdef"[digit];
+    EXPECT_NE(page_source("page.css").find(colour), std::string_view::npos) << colour;
+  }
 }
 
 TEST(PageText, SearchesNoMarkInWhatIsPutIn) {

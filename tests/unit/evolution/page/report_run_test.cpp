@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "evolution/loop/loop_verdict_file.h"
+#include "evolution/page/command_outputs.h"
 #include "evolution/page/report_numbers.h"
+#include "evolution/page/report_scenes.h"
 #include "evolution/page/walk_animation.h"
 #include "io/text/content_hash.h"
 #include "io/text/csv_table.h"
@@ -43,10 +45,11 @@ std::string cube_at(double x) {
 }
 
 /// Writes the walk of a cube as a command would.
-void write_walk(const fs::path& folder, const std::string& program, const std::string& name, const std::string& end_s = "2") {
-  const std::string result =
-      "status = \"completed\"\ntime_s = 2\nhorizontal_displacement_m = 0.5\nhorizontal_displacement_body_lengths = "
-      "0.5\ndisplacement_m = [0.5, 0, 0]\n";
+void write_walk(const fs::path& folder, const std::string& program, const std::string& name, const std::string& end_s = "2",
+                const std::string& elements = "1") {
+  const std::string result = "status = \"completed\"\ntime_s = " + end_s + "\nelements = " + elements +
+                             "\nhorizontal_displacement_m = 0.5\nhorizontal_displacement_body_lengths = "
+                             "0.5\ndisplacement_m = [0.5, 0, 0]\n";
   io::write_whole(folder / (program == "menger-locomote" ? "locomotion.toml" : "result.toml"), result);
   io::write_whole(folder / "trajectory.csv",
                   "time_s,centre_of_mass_x_m,centre_of_mass_y_m,horizontal_displacement_m\n0,0,0,0\n2,0.5,0,0.5\n");
@@ -122,6 +125,25 @@ TEST(ReportRun, LeavesOutWhatStagesComputedForAnEarlierRobot) {
   EXPECT_EQ(write_report(folder, quick()).outputs, 2U) << "a command by hand has taken its place";
 }
 
+TEST(ReportRun, KeepsInSightWhatTheLoopWarnedOf) {
+  const tests::TestFolder folder;
+  write_walk(folder / "locomote", "menger-locomote", "cube");
+  LoopVerdict verdict{.lines = {"It walks."}, .forecast = {"law: soft", "warning: no validation covers this body: it is long"}};
+  const auto page = [&] {
+    write_loop_verdict(folder, verdict);
+    return io::read_whole(write_report(folder, quick()).file);
+  };
+  const std::string text = page();
+  const std::size_t warning = text.find("<li>warning: no validation covers this body: it is long</li>");
+  const std::size_t hidden = text.find("<summary>What was to be expected of this robot</summary>");
+  ASSERT_NE(warning, std::string::npos);
+  ASSERT_NE(hidden, std::string::npos);
+  EXPECT_LT(warning, hidden);
+  EXPECT_LT(hidden, text.find("<li>law: soft</li>"));
+  verdict.results = {{"locomote/manifest.json", "of another run"}};
+  EXPECT_EQ(page().find("law: soft"), std::string::npos) << "it is of earlier results";
+}
+
 TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
   const tests::TestFolder folder;
   write_walk(folder / "locomote", "menger-locomote", "cube");
@@ -134,6 +156,36 @@ TEST(ReportRun, ShowsAWalkInBothModelsOnOneClock) {
   EXPECT_EQ(text.size(), result.bytes);
   EXPECT_NE(text.find("Walk of cube: finite elements and voxels"), std::string::npos);
   EXPECT_EQ(result.verdict.headline, "The surrogate walks as finite elements do.");
+}
+
+TEST(ReportRun, ShowsTheWalksFirstThatDecideWhatIsSaidOfTheSurrogate) {
+  const tests::TestFolder folder;
+  write_walk(folder / "a_short", "menger-locomote", "champion", "1", "9000");
+  write_walk(folder / "coarse", "menger-locomote", "cube", "2", "100");
+  write_walk(folder / "fine", "menger-locomote", "cube", "2", "800");
+  write_walk(folder / "simulate", "menger-simulate", "cube", "2.0001");
+  std::vector<std::string> notes;
+  const std::vector<PageScene> scenes = read_scenes(find_command_outputs(folder, notes), 1'000'000, notes);
+  ASSERT_EQ(scenes.size(), 3U);
+  EXPECT_EQ(scenes[0].title, "Walk of cube: finite elements and voxels (fine)");
+  EXPECT_TRUE(scenes[0].angle_deg);
+  EXPECT_EQ(scenes[0].note.find("do not last as long"), std::string::npos) << scenes[0].note;
+  EXPECT_EQ(scenes[1].title, "Walk of cube: finite elements and voxels (coarse)");
+  EXPECT_EQ(scenes[2].title, "Walk of champion: finite elements and voxels") << "a shorter walk comes last, however fine";
+  EXPECT_FALSE(scenes[2].angle_deg) << "between places at two times";
+  EXPECT_TRUE(scenes[2].note.starts_with("They do not last as long: finite elements 1 s, voxels 2 s.")) << scenes[2].note;
+}
+
+TEST(WalkAnimation, TellsWhenOneOfTwoWalksHasEnded) {
+  const auto body = [](const std::string& name, double end_s) {
+    return PageBody{.name = name, .times = {0.0, end_s}, .travelled_m = {0.0, 0.0036}};
+  };
+  const PageScene scene{.bodies = {body("finite elements", 2.0), body("surrogate", 5.0)}, .angle_deg = 1.0};
+  EXPECT_EQ(
+      walk_caption(scene, 1.0, 2, 0.01),
+      "finite elements behind: 1.8 mm, surrogate in front: 0.7 mm, 1 degree apart, 1.00 s, shown 2 times slower, bar 10 mm");
+  EXPECT_EQ(walk_caption(scene, 4.84, 1, 0.01),
+            "finite elements behind: 3.6 mm (ended at 2 s), surrogate in front: 3.5 mm, 1 degree apart, 4.84 s, bar 10 mm");
 }
 
 TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
@@ -219,8 +271,10 @@ TEST(ReportRun, SaysWhichChambersAreOfWhichMaterialAndHowADriveSwings) {
     return io::read_whole(write_report(folder, quick()).file);
   };
   const std::string antiphase = inputs_with("mode = \"antiphase\"\nramp_s = 0.6666666666666666\n");
-  EXPECT_NE(antiphase.find("one for each region of cells of one material: plena 0, 2 of material 1; plenum 1 of material 2<"),
-            std::string::npos);
+  EXPECT_NE(
+      antiphase.find("one for each region of cells of one material: chamber 1 of material 1 (plenum 0 in files), chamber of "
+                     "material 2 (plenum 1 in files), chamber 2 of material 1 (plenum 2 in files)<"),
+      std::string::npos);
   EXPECT_NE(antiphase.find("strokes</th><td>3 Hz, a sine, which grows from 0 over the first 2 strokes<"), std::string::npos);
   EXPECT_NE(inputs_with("mode = \"in_phase\"\nramp_s = 0\n").find("strokes</th><td>3 Hz, a sine<"), std::string::npos);
   EXPECT_EQ(inputs_with("mode = \"hold\"\n").find("strokes</th>"), std::string::npos);
@@ -445,6 +499,13 @@ TEST(AnimationPace, ShowsShortWalksSlower) {
 TEST(ReportNumbers, HaveNoSignAtNought) {
   EXPECT_EQ(shown_whole(-0.3), "0");
   EXPECT_EQ(shown_whole(-7.4), "-7");
+}
+
+TEST(ReportNumbers, RoundNumbersInTextsOnly) {
+  EXPECT_EQ(with_rounded_numbers("(0.018449999999999998, -0.036000000000000004, 12.5) m"), "(0.01845, -0.036, 12.5) m");
+  for (const char* kept :
+       {"version 0.1.0", "a1.23456789", "1.2345.67890123", "1.23456789e-7", "2122120002122122", "0.123456", ""})
+    EXPECT_EQ(with_rounded_numbers(kept), kept);
 }
 
 TEST(ReportNumbers, KeepCountsAndDigitsOfBodies) {

@@ -43,7 +43,8 @@ class ReportSectionsTest : public testing::Test {
 TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   write("inflate/curves.csv", "step,plenum_0_pressure_Pa,plenum_0_volume_m3\n0,0,1e-6\n1,3000,2e-6\n2,2500,4e-6\n");
   write("inflate/result.toml",
-        "status = \"completed\"\nnotes = [\"coarse\"]\n[[limit_points]]\nplenum = \"plenum 0\"\npressure_Pa = 3042\nvolume_m3 = "
+        "status = \"completed\"\nnotes = [\"coarse at (0.018449999999999998, 0.024) m\"]\n[[limit_points]]\nplenum = \"plenum "
+        "0\"\npressure_Pa = 3042\nvolume_m3 = "
         "2.1e-6\n[[limit_points]]\nplenum = \"plenum "
         "0\"\npressure_Pa = -200\nvolume_m3 = 5e-7\n");
   const PageSection inflation = section({output("inflate")}, "inflation");
@@ -56,7 +57,7 @@ TEST_F(ReportSectionsTest, DrawPressureAgainstVolumeWithTheLimitPressure) {
   ASSERT_EQ(chart.markers.size(), 2U);
   EXPECT_FALSE(chart.markers.front().vertical);
   EXPECT_EQ(chart.markers.front().label, "limit pressure 3.04 kPa");
-  EXPECT_EQ(inflation.words, std::vector<std::string>{"coarse."});
+  EXPECT_EQ(inflation.words, std::vector<std::string>{"coarse at (0.01845, 0.024) m."});
   // The verdict takes the limit pressure above 0, and the growth at the highest pressure.
   const ReportFacts facts = read_facts({output("inflate")}, notes_);
   ASSERT_EQ(facts.inflations.size(), 1U);
@@ -72,6 +73,38 @@ TEST_F(ReportSectionsTest, TakeTheGrowthOfTheChamberThatGrowsMost) {
   const InflationFacts facts = read_facts({output("inflate")}, notes_).inflations.at(0);
   EXPECT_NEAR(*facts.volume_growth, 4.0, 1e-12);
   EXPECT_EQ(facts.plena, 2U);
+}
+
+TEST_F(ReportSectionsTest, CallChambersByTheirMaterial) {
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3\n0,0,1e-6,0,1e-6\n"
+        "1,3000,2e-6,0,1e-6\n");
+  write("inflate/result.toml", "status = \"completed\"\n[[limit_points]]\nplenum = \"plenum 1\"\npressure_Pa = 1042\n");
+  CommandOutput pair = output("inflate");
+  pair.stated = {.body = ManifestBody{.layers = {{"21"}}, .cell_edge_m = 0.01}, .chambers = "per-phase"};
+  const PageSection inflation = section({pair}, "inflation");
+  const std::vector<PageSeries>& series = inflation.charts.at(0).series;
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].name, "chamber of material 2");
+  EXPECT_EQ(series[0].material, 2);
+  EXPECT_EQ(series[1].name, "chamber of material 1");
+  EXPECT_EQ(series[1].material, 1);
+  const auto& rows = inflation.tables.at(0).rows;
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row[0] == "limit pressure of the chamber of material 1"; }));
+  pair.stated.chambers = "single";
+  EXPECT_EQ(section({pair}, "inflation").charts.at(0).series.at(0).name, "plenum 0");
+}
+
+TEST_F(ReportSectionsTest, DrawChambersAlikeAsOneCurve) {
+  write("inflate/curves.csv",
+        "step,plenum_0_pressure_Pa,plenum_0_volume_m3,plenum_1_pressure_Pa,plenum_1_volume_m3,plenum_2_pressure_Pa,"
+        "plenum_2_volume_m3\n0,0,1e-6,0,1.0000001e-6,0,1e-6\n1,3000,2e-6,3000,2e-6,3000,2.1e-6\n");
+  write("inflate/result.toml", "status = \"completed\"\n");
+  const std::vector<PageSeries> series = section({output("inflate")}, "inflation").charts.at(0).series;
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].name, "plenum 0, plenum 1");
+  EXPECT_EQ(series[1].name, "plenum 2");
+  EXPECT_TRUE(series[1].dashed);
 }
 
 TEST_F(ReportSectionsTest, TellTheLimitPressureFromTheLeastPressureAfterSnapThrough) {
@@ -127,6 +160,12 @@ TEST_F(ReportSectionsTest, DrawsHowAWalkComesBack) {
         "horizontal_displacement_body_lengths = 0.1\n");
   const PageChart progress = section({output("locomote")}, "walks").charts.at(0);
   EXPECT_EQ(progress.title, "Progress over time");
+  write("simulate/trajectory.csv", "time_s,centre_of_mass_x_m,centre_of_mass_y_m\n0,0,0\n1,0,-0.02\n");
+  write("simulate/result.toml", "status = \"diverged\"\ntime_s = 1\n");
+  const PageChart early = section({output("simulate")}, "walks").charts.at(0);
+  EXPECT_NEAR(early.series.at(0).y.at(1), 20.0, 1e-9);
+  EXPECT_NE(early.note.find("simulate, voxels (the line to its own end)"), std::string::npos) << early.note;
+  EXPECT_EQ(early.note.find("no walk"), std::string::npos) << "what ended early is not judged";
   EXPECT_NEAR(progress.series.at(0).y.at(1), -20.0, 1e-9) << "behind its start";
   EXPECT_NEAR(progress.series.at(0).y.at(3), 15.0, 1e-9);
   EXPECT_NEAR(progress.series.at(0).y.at(4), 10.0, 1e-9);
@@ -157,6 +196,20 @@ TEST_F(ReportSectionsTest, DrawsWalksOfOneBodyAlongOneDirection) {
   EXPECT_NEAR(chart.series.at(0).y.back(), -10.0, 1e-9);
   EXPECT_NEAR(chart.series.at(1).y.back(), 10.0, 1e-9) << "the walk on the finest elements";
   EXPECT_NEAR(chart.series.at(2).y.back(), -10.0, 1e-9);
+  EXPECT_NE(chart.note.find("in voxels: locomote_finer (finite elements, 180 degrees from x). A curve"), std::string::npos)
+      << chart.note;
+  EXPECT_EQ(chart.note.find("no walk"), std::string::npos);
+  write("locomote_finer/locomotion.toml",
+        "status = \"completed\"\ntime_s = 1\ndisplacement_m = [-0.01, 0, 0]\nhorizontal_displacement_m = 0.01\n"
+        "horizontal_displacement_body_lengths = 0.08\nelements = 2000\n");
+  const PageChart without = section({coarse, fine, voxels}, "walks").charts.at(0);
+  EXPECT_NEAR(without.series.at(0).y.back(), 10.0, 1e-9);
+  EXPECT_NEAR(without.series.at(1).y.back(), -10.0, 1e-9) << "on one axis with the others, with its sign";
+  EXPECT_TRUE(without.series.at(1).name.ends_with(" (no walk)")) << without.series.at(1).name;
+  EXPECT_NE(without.note.find("in voxels: locomote (finite elements, 0 degrees from x)."), std::string::npos) << without.note;
+  EXPECT_NE(without.note.find("is no walk, and gives no direction"), std::string::npos);
+  fine = walk("locomote_finer", "locomotion.toml", "-0.01", "2000");
+  fine.program = "menger-locomote";
   fine.stated.body->cell_edge_m = 0.02;
   const PageChart apart = section({coarse, fine}, "walks").charts.at(0);
   EXPECT_NEAR(apart.series.at(0).y.back(), 10.0, 1e-9) << "another body has its own direction";
@@ -172,6 +225,26 @@ TEST_F(ReportSectionsTest, TellHowBodiesAreHeld) {
   ASSERT_NE(row, inputs.rows.end());
   EXPECT_EQ(row->at(1),
             "slides on the ground, which it does not leave (inflate); free, only its rigid motions are held (validate)");
+}
+
+TEST_F(ReportSectionsTest, TellTheDriveOfARobotThatIsOnlyInflated) {
+  write("manifest.json",
+        R"({"program": "menger-loop", "parameters": {"robot": {"name": "finger"}, "drive": {"mode": "hold", "frequency_Hz": 3,
+            "pressure_Pa": [0, 12000]}, "walk": {"present": false}}})");
+  const CommandOutput loop = read_command_output(folder_ / "manifest.json").value();
+  CommandOutput validation = output("validate");
+  validation.inputs = {{"/x/voxel/parameters/soft_12mm.toml", "00"}};
+  const std::vector<CommandOutput> outputs{loop, validation};
+  const auto value_of = [&](const std::string& name) {
+    const PageTable inputs = input_table(outputs, folder_);
+    const auto row = std::ranges::find_if(inputs.rows, [&](const auto& cells) { return cells.at(0) == name; });
+    return row == inputs.rows.end() ? "" : row->at(1);
+  };
+  EXPECT_EQ(value_of("pressure of the drive"), "0 to 12 kPa");
+  EXPECT_EQ(value_of("mode of the drive"), "held at 12 kPa");
+  EXPECT_EQ(value_of("parameters of the surrogate"), "soft_12mm.toml, which came with menger");
+  EXPECT_FALSE(read_facts({loop}, notes_).robot_walks);
+  EXPECT_TRUE(read_facts({}, notes_).robot_walks);
 }
 
 TEST_F(ReportSectionsTest, ReadsThePressureAtWhichWallsTouch) {
@@ -207,7 +280,7 @@ TEST_F(ReportSectionsTest, DrawsTheDistanceFromTheStartOfWhatIsNoWalk) {
         "horizontal_displacement_body_lengths = 0.6\n");
   const PageChart both = section({output("locomote"), output("simulate")}, "walks").charts.at(0);
   EXPECT_EQ(both.y.title, "progress of the centre of mass (mm)");
-  EXPECT_NE(both.note.find("Of what is no walk it is the horizontal distance"), std::string::npos);
+  EXPECT_NE(both.note.find("Of what is no walk, and of a body without any, it is the horizontal distance"), std::string::npos);
   EXPECT_TRUE(both.series.at(0).name.ends_with("(no walk: distance from its start)")) << both.series.at(0).name;
   EXPECT_EQ(both.series.at(1).name.find("no walk"), std::string::npos);
   EXPECT_NEAR(both.series.at(1).y.at(1), -10.0, 1e-9) << "a walk is drawn along its line";
@@ -239,7 +312,7 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
   write("validate/errors.csv",
         "case,body,kind,observable,pressure_Pa,imposed,finite_elements,surrogate,error,pointwise_error,validity\nc,bar,"
         "displacement,extent_x_m,3000,,0.001,0.0012,0.2,0.2,inside\n"
-        "c,bar,displacement,extent_x_m,9000,,0.002,0.0012,0.2,0.2,outside\n");
+        "c,bar,displacement,extent_x_m,9000,,0.002,0.0012,0.2,0.2,pressure\n");
   write("validate/summary.csv",
         "body,kind,range,count,without_equilibrium,median,percentile_90,worst,pointwise_median,worst_body,worst_case\nall,"
         "displacement,inside,1,2,0.2,,0.2,0.2,bar,c\n"
@@ -261,6 +334,7 @@ TEST_F(ReportSectionsTest, ReadAValidationInsideTheRangeOfTheFit) {
   EXPECT_EQ(facts.displacement.median, 0.2);
   EXPECT_EQ(facts.displacement.without_equilibrium, 2U);
   EXPECT_EQ(facts.outside, 4U);
+  EXPECT_EQ(facts.outside_why, std::vector<std::string>{"its pressures are beyond those of the fit"});
   EXPECT_EQ(facts.bodies, 1U);
   EXPECT_EQ(facts.signs, 9U);
   EXPECT_EQ(facts.wrong_signs, 3U);
@@ -277,9 +351,11 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
         "top_m,0.00207,0.25\nbar,displacement,inside,36,0.2,2.67,bar,c,extent_y_m,0.0007,0.00108,bar,top_m,0.00207,0.25\n");
   const PageTable table = section({output("validate")}, "validation").tables.at(0);
   ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.columns.at(9), "furthest off (mm)");
-  EXPECT_EQ(table.rows[0].at(9), "2.07");
-  EXPECT_EQ(table.rows[0].at(10), "top");
+  EXPECT_EQ(table.columns.at(7), "worst in") << "without a column of states without equilibrium, of which there are none";
+  EXPECT_EQ(table.rows[0].at(7), "the extent along y") << "the only load case goes without saying";
+  EXPECT_EQ(table.columns.at(8), "furthest off by (mm)");
+  EXPECT_EQ(table.rows[0].at(8), "2.07");
+  EXPECT_EQ(table.rows[0].at(9), "the height of the top");
   const ErrorFact shapes = read_facts({output("validate")}, notes_).validations.at(0).displacement;
   EXPECT_EQ(shapes.median_m, 0.0007);
   EXPECT_EQ(shapes.worst_m, 0.00108);
@@ -289,17 +365,49 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
   EXPECT_EQ(shapes.furthest_observable, "the height of the top");
 }
 
+TEST_F(ReportSectionsTest, CallTheBodyOfALoopByItsName) {
+  write("manifest.json", R"({"program": "menger-loop", "parameters": {"robot": {"name": "crab"}}})");
+  write("validate/errors.csv",
+        "case,body,kind,observable,pressure_Pa,finite_elements,surrogate,validity\nc,robot,displacement,top_m,3000,0.001,0.0012,"
+        "inside\n");
+  write("validate/summary.csv",
+        "body,kind,range,count,median,worst,worst_body,worst_case\nall,displacement,inside,1,0.2,0.2,robot,c\n"
+        "robot,displacement,inside,1,0.2,0.2,robot,c\n");
+  write("validate/volume_actuation.csv",
+        "body,highest_pressure_Pa,change_at_highest,limit_pressure_Pa,lowest_pressure_Pa,change_at_lowest,contact_pressure_Pa\n"
+        "robot,1700,0.45,,0,0,\n");
+  const std::vector<CommandOutput> outputs{read_command_output(folder_ / "manifest.json").value(), output("validate")};
+  EXPECT_EQ(section(outputs, "validation").tables.at(0).rows.at(0).at(0), "robot") << "a validation of other bodies";
+  write("validate/curves/robot_inflation.toml", "status = \"completed\"\n");
+  const PageSection validation = section(outputs, "validation");
+  EXPECT_EQ(validation.charts.at(0).series.at(0).name, "crab");
+  EXPECT_EQ(validation.tables.at(0).rows.at(0).at(0), "crab");
+  EXPECT_EQ(validation.tables.at(1).rows, (std::vector<std::vector<std::string>>{{"crab", "1.7", "45"}}));
+  EXPECT_EQ(validation.tables.at(1).columns,
+            (std::vector<std::string>{"body", "highest pressure (kPa)", "change at highest (%)"}))
+      << "no column without numbers, and none of a vacuum that there was not";
+  EXPECT_EQ(validation.tables.at(1).note.find("vacuum"), std::string::npos);
+  EXPECT_EQ(read_facts(outputs, notes_).validations.at(0).displacement.worst_body, "crab");
+}
+
 TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
   write("reevaluate/reevaluation.csv",
         "rank,individual,selection,cells,surrogate_body_lengths_per_minute,elements_body_lengths_per_minute,surrogate_relative_"
         "error\n1,7,top,20,3,1,2\n2,9,top,21,2,,\n3,4,sample,20,1,4,0.5\n");
   write("reevaluate/ranking.csv",
         "designs,quantity,value,low_95,high_95,count,of,method\ntop,spearman,1,,,2,2,m\nall,spearman,-0.5,-0.9,0.2,2,3,m\nall,"
-        "direction_within_45_deg,0.5,0.1,0.9,1,2,m\n");
+        "direction_within_45_deg,0.5,0.1,0.9,1,2,m\nall,top_1_regret_body_lengths_per_minute,0.25,,,2,1,m\n"
+        "all,top_2_relative_regret,,,,0,2,m\n");
   const PageSection ranking = section({output("reevaluate")}, "ranking");
   ASSERT_EQ(ranking.charts.size(), 1U);
   ASSERT_EQ(ranking.charts[0].series.size(), 2U);
   EXPECT_EQ(ranking.charts[0].series[0].y, std::vector<double>{1.0});
+  const PageTable& ranks = ranking.tables.at(1);
+  ASSERT_EQ(ranks.rows.size(), 4U) << "nothing without a value";
+  EXPECT_EQ(ranks.rows[1],
+            (std::vector<std::string>{"all", "rank correlation of distances (Spearman)", "-0.5", "-0.9", "0.2", "2", "3"}));
+  EXPECT_EQ(ranks.rows[2].at(1), "share of directions within 45 degrees");
+  EXPECT_EQ(ranks.rows[3].at(1), "speed lost if finite elements judge only the search's best 1 (body lengths / min)");
   const auto has_columns_of_search = [&](const std::string& parameters) {
     CommandOutput made = output("reevaluate");
     made.parameters = parameters;
@@ -310,6 +418,22 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
   EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "voxels"}}})"));
   EXPECT_FALSE(has_columns_of_search(R"({"compare_with": "voxels", "search": {"evaluation": {"model": "both"}}})"));
   EXPECT_TRUE(has_columns_of_search(R"({"compare_with": "search", "search": {"evaluation": {"model": "finite_elements"}}})"));
+  CommandOutput both = output("reevaluate");
+  both.parameters =
+      R"({"compare_with": "search", "elements": {"fidelity": "standard"}, "search": {"elements": {"fidelity": "draft"},
+          "evaluation": {"model": "finite_elements", "measure": "last_periods", "measure_periods": 5}}})";
+  const PageSection measured = section({both}, "ranking");
+  const PageTable robots = measured.tables.at(0);
+  EXPECT_EQ(robots.title, "Robots in both models, in a period of the drive, by its last 5");
+  EXPECT_EQ(robots.columns, (std::vector<std::string>{"rank", "individual", "selection", "cells",
+                                                      "search (draft finite elements): speed (body lengths / min)",
+                                                      "standard finite elements: speed (body lengths / min)",
+                                                      "search (draft finite elements): error of the displacement (share)"}));
+  EXPECT_EQ(measured.charts.at(0).x.title, "search (draft finite elements) (body lengths / min)");
+  EXPECT_NE(robots.note.find("those in the table of walks are from start to end"), std::string::npos);
+  both.parameters =
+      R"({"search": {"evaluation": {"model": "voxels", "measure": "net_displacement"}, "time": {"measure_from_s": 0.5}}})";
+  EXPECT_EQ(section({both}, "ranking").tables.at(0).title, "Robots in both models, from 0.5 s to the end");
   const RankingFacts facts = read_facts({output("reevaluate")}, notes_).rankings.at(0);
   EXPECT_EQ(facts.designs, 3U);
   EXPECT_EQ(facts.compared, 2U);
@@ -321,10 +445,14 @@ TEST_F(ReportSectionsTest, CompareRobotsInBothModels) {
 
 TEST_F(ReportSectionsTest, ShowTheProgressAndLineageOfAnExportedSearch) {
   write("export/generations.csv",
-        "generation,best_fitness_body_lengths,champion,mean_fitness_body_lengths,evaluations\n0,0.1,1,0.05,4\n1,0.3,7,0.1,5\n");
+        "generation,best_fitness_body_lengths,champion,hausdorff_dimension,mean_fitness_body_lengths,evaluations,pruned\n"
+        "0,0.1,1,2.7,0.05,4,0\n1,0.3,7,2.7,0.1,5,0\n");
   write("export/lineage.csv",
         "generation,individual,parent,fitness_body_lengths,cells,phenotype\n0,1,,0.1,20,111000\n1,7,1,0.3,21,111100\n");
   const PageSection search = section({output("export")}, "search");
+  EXPECT_EQ(search.tables.at(0).columns, (std::vector<std::string>{"generation", "best fitness (body lengths)", "champion",
+                                                                   "mean fitness (body lengths)", "evaluations"}));
+  EXPECT_TRUE(search.tables.at(0).note.starts_with("More columns")) << search.tables.at(0).note;
   ASSERT_EQ(search.charts.size(), 2U);
   EXPECT_EQ(search.charts[0].series[0].y, (std::vector<double>{0.1, 0.3}));
   EXPECT_EQ(search.charts[1].series[0].labels[1], "individual 7, 21 cells, 111100");
@@ -368,6 +496,12 @@ TEST_F(ReportSectionsTest, ListLoadCasesWithTheirStatus) {
   ASSERT_EQ(cases.tables.size(), 1U);
   EXPECT_EQ(cases.tables[0].rows,
             (std::vector<std::vector<std::string>>{{"stretch", "stretch", "wall_contact", "two walls touch", "2"}}));
+}
+
+TEST_F(ReportSectionsTest, NameTheFolderOfARun) {
+  CommandOutput mesh = output("mesh");
+  mesh.name = "mesh/mesh_manifest.json";
+  EXPECT_EQ(section({mesh}, "provenance").tables.at(0).rows.at(0).at(0), "mesh");
 }
 
 TEST_F(ReportSectionsTest, SayWhatCannotBeReadAndGoOn) {

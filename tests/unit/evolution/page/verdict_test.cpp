@@ -47,6 +47,13 @@ TEST(Verdict, SaysThatNothingWasComputed) {
   }
 }
 
+TEST(Verdict, MissesNoWalkOfARobotThatDoesNotWalk) {
+  ReportFacts facts;
+  facts.robot_walks = false;
+  EXPECT_EQ(finding_with(verdict_of(facts), "A walk").text, "");
+  EXPECT_NE(finding_with(verdict_of({}), "A walk").text, "");
+}
+
 TEST(Verdict, StatesTheLowestLimitPressure) {
   ReportFacts facts;
   facts.inflations = {{.name = "table",
@@ -414,7 +421,8 @@ TEST(Verdict, JudgesShapesByTheirMedianError) {
   facts.validations.front().wrong_ways = {"plane extent y (4 of 5)"};
   const Verdict wrong_way = verdict_of(facts);
   EXPECT_EQ(wrong_way.headline, "The surrogate's shapes are rough; its walks were not compared.");
-  EXPECT_NE(finding_with(wrong_way, "4 of 26 displacements go the wrong way: plane extent y (4 of 5).").text, "");
+  EXPECT_NE(finding_with(wrong_way, "4 of 26 displacements of at least 0.2 mm go the wrong way: plane extent y (4 of 5).").text,
+            "");
   facts.validations.front().displacement.median = 0.3;
   EXPECT_EQ(verdict_of(facts).headline, "Do not trust the surrogate's shapes; its walks were not compared.");
   facts.validations.front().displacement.median.reset();
@@ -429,7 +437,8 @@ TEST(Verdict, TrustsTheShapeOfOneBodyWhereTheLoopDoes) {
   facts.validations.front().signs = 30;
   facts.validations.front().wrong_signs = 5;
   facts.validations.front().wrong_ways = {"extent y (5 of 5)"};
-  const Finding wrong_way = finding_with(verdict_of(facts), "5 of 30 displacements go the wrong way: extent y (5 of 5).");
+  const Finding wrong_way =
+      finding_with(verdict_of(facts), "5 of 30 displacements of at least 0.2 mm go the wrong way: extent y (5 of 5).");
   EXPECT_TRUE(wrong_way.text.ends_with("Do not trust the surrogate for this body.")) << wrong_way.text;
   EXPECT_EQ(wrong_way.tone, Tone::bad);
   facts.walks = two_walks(0.8, 0.0, 0.8, 0.0).walks;
@@ -439,6 +448,14 @@ TEST(Verdict, TrustsTheShapeOfOneBodyWhereTheLoopDoes) {
   EXPECT_EQ(walks_alike.tone, Tone::bad);
   facts.validations = {{.bodies = 1, .displacement = {}, .outside = 36}};
   EXPECT_EQ(finding_with(verdict_of(facts), "all that was compared lies outside").tone, Tone::bad);
+  facts.validations.front().outside_why = {"it is longer than the bodies of the fit",
+                                           "its pressures are beyond those of the fit"};
+  EXPECT_NE(
+      finding_with(verdict_of(facts),
+                   "outside the range of its fit: it is longer than the bodies of the fit; its pressures are beyond those of "
+                   "the fit.")
+          .text,
+      "");
 }
 
 TEST(Verdict, TellsErrorsOfShapesInMillimetresBesideTheirShareOfACurve) {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <vector>
 
+#include "evolution/posture/near_end.h"
 #include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"
 #include "tests/support/moved_grid.h"
@@ -73,6 +74,28 @@ TEST_F(BendTest, DoesNotDependOnHowTheBodyIsHeld) {
   ASSERT_TRUE(bend);
   EXPECT_NEAR(bend->sideways_m, 0.18, 1e-9);
   EXPECT_NEAR(bend->along_m, 0.3, 1e-9);
+}
+
+TEST_F(BendTest, IsWhatIsLeftWithTheMotionOfTheNearEndTakenOut) {
+  const auto floating = [](const Place& place) {
+    const Place here = bent(place);
+    const double c = std::cos(0.7);
+    const double s = std::sin(0.7);
+    return Place{here[0] * c - here[2] * s + 5.0, here[1] - 2.0, here[0] * s + here[2] * c};
+  };
+  MovedPoints points;
+  for (double x = 0.0; x <= 4.0; x += 1.0) {
+    for (const auto& [y, z] : std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      points.rest_m.push_back({x, y, z});
+      points.now_m.push_back(floating({x, y, z}));
+    }
+  }
+  const RigidMotion motion = motion_of_near_end(points, 1.0);
+  for (std::size_t n = 0; n < points.rest_m.size(); ++n) {
+    const Place held = motion.taken_out(points.now_m[n]);
+    const Place expected = bent(points.rest_m[n]);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(held.at(i), expected.at(i), 1e-9) << n;
+  }
 }
 
 TEST_F(BendTest, NeedsTwoStates) {

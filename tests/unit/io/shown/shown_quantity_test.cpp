@@ -31,6 +31,7 @@ TEST(ShownQuantity, WritesNoShareWithAPowerOfTen) {
 TEST(ShownQuantity, SpeaksOfOneBodyLength) {
   EXPECT_EQ(body_lengths(3.9e-5), "0 body lengths");
   EXPECT_EQ(degrees(1.2), "1 degree");
+  EXPECT_EQ(degrees(-1.2), "-1 degree");
   EXPECT_EQ(degrees(-0.3), "0 degrees");
   EXPECT_EQ(body_lengths(1.033), "1 body length");
   EXPECT_EQ(body_lengths(0.319), "0.32 body lengths");

@@ -25,5 +25,11 @@ TEST(WalkAgreement, GivesNoDirectionToWhatGoesNowhere) {
   EXPECT_EQ(compare_walks({0.02, 5.0, 0.0}, {0.4, 5.0, 0.0}), WalkAgreement::one_goes_nowhere);
 }
 
+TEST(WalkAgreement, TakesAFewStepsForNoDifferenceInTime) {
+  EXPECT_TRUE(last_as_long(5.0, 5.00004));
+  EXPECT_FALSE(last_as_long(2.0, 5.0));
+  EXPECT_FALSE(last_as_long(5.0, 2.0));
+}
+
 }  // namespace
 }  // namespace menger::meshes

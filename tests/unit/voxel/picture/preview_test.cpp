@@ -34,7 +34,7 @@ Frame two_cubes() {
 
 struct Pixels {
   int width = 0, height = 0;
-  int cyan = 0, red = 0, white = 0;
+  int blue = 0, orange = 0, white = 0;
 };
 
 Pixels count_pixels(const fs::path& file) {
@@ -49,8 +49,8 @@ Pixels count_pixels(const fs::path& file) {
       const double green = image.GetScalarComponentAsDouble(x, y, 0, 1);
       const double blue = image.GetScalarComponentAsDouble(x, y, 0, 2);
       if (red > 250 && green > 250 && blue > 250) ++pixels.white;
-      if (green > 1.5 * red && blue > 1.5 * red) ++pixels.cyan;
-      if (red > 1.5 * green && red > 1.5 * blue) ++pixels.red;
+      if (green > 1.5 * red && blue > 1.5 * red) ++pixels.blue;
+      if (red > 1.5 * green && red > 1.5 * blue) ++pixels.orange;
     }
   }
   return pixels;
@@ -70,8 +70,8 @@ TEST_F(Preview, DrawsBothMaterialsOnWhite) {
   EXPECT_EQ(pixels.width, 320);
   EXPECT_EQ(pixels.height, 200);
   const int all = pixels.width * pixels.height;
-  EXPECT_GT(pixels.cyan, all / 50);
-  EXPECT_GT(pixels.red, all / 50);
+  EXPECT_GT(pixels.blue, all / 50);
+  EXPECT_GT(pixels.orange, all / 50);
   EXPECT_GT(pixels.white, all / 5);
 }
 
@@ -87,9 +87,9 @@ TEST_F(Preview, ALargerRobotInARowIsDrawnLarger) {
       render_row(folder_ / "row.png", frames, {}, {.picture = {.width_px = 960, .height_px = 600}});
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   const Pixels pixels = count_pixels(folder_ / "row.png");
-  ASSERT_GT(pixels.cyan, 0);
+  ASSERT_GT(pixels.blue, 0);
   // Twice the edge is four times the area; edges of the cubes take some of it.
-  EXPECT_NEAR(static_cast<double>(pixels.red) / pixels.cyan, 4.0, 0.6);
+  EXPECT_NEAR(static_cast<double>(pixels.orange) / pixels.blue, 4.0, 0.6);
 }
 
 TEST_F(Preview, PlotsATrajectory) {
@@ -97,7 +97,7 @@ TEST_F(Preview, PlotsATrajectory) {
   const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   const Pixels pixels = count_pixels(folder_ / "plot.png");
-  EXPECT_GT(pixels.cyan, 100);  // the lines
+  EXPECT_GT(pixels.blue, 100);  // the lines
   EXPECT_GT(pixels.white, pixels.width * pixels.height / 2);
 }
 
@@ -105,7 +105,7 @@ TEST_F(Preview, PlotsABodyThatNeverMoved) {
   const Trajectory trajectory{{0.0, {0.0, 0.0, 0.0}, {}}, {1.0, {0.0, 0.0, 0.0}, {}}};
   const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
-  EXPECT_GT(count_pixels(folder_ / "plot.png").cyan, 100);
+  EXPECT_GT(count_pixels(folder_ / "plot.png").blue, 100);
 }
 
 TEST_F(Preview, PlotsNothingFromASingleRecord) {

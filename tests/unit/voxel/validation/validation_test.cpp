@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/unit/voxel/validation/validation_samples.h"
+#include "voxel/validation/validation_charts.h"
 #include "voxel/validation/validation_summary.h"
 #include "voxel/validation/validation_tables.h"
 
@@ -45,6 +46,21 @@ TEST(Validation, TakesErrorsByTheLargestMagnitudeOfTheObservableInItsCurve) {
   EXPECT_NEAR(error_of(comparison, "volume_change", 1e3).error, 0.1, rounding);
   EXPECT_EQ(error_of(comparison, "volume_change", 1e3).kind, ObservableKind::volume);
   EXPECT_TRUE(comparison.without_equilibrium.empty());
+}
+
+TEST(Validation, DrawsCurvesThatCoincideInBothModelsAsOne) {
+  const std::vector<std::vector<double>> table{{1e3, 2e3},          {0.1, 0.2},   {1e-3, 2e-3},
+                                               {1e-3, 2.000001e-3}, {1e-3, 2e-3}, {1e-4, 3e-4}};
+  std::vector<std::vector<double>> response = table;
+  response[4] = {1e-3, 1e-3};
+  const io::Chart chart = curve_chart(
+      compare(bar_curve("bar", LoadCaseKind::inflation, table), "bar", validation_parameters(), responding(response)));
+  ASSERT_EQ(chart.panels.size(), 2U);
+  const std::vector<io::ChartSeries>& series = chart.panels[1].series;
+  ASSERT_EQ(series.size(), 6U);
+  EXPECT_EQ(series[0].name, "extent x, extent y");
+  EXPECT_EQ(series[2].name, "extent z") << "the surrogate tells it apart";
+  EXPECT_EQ(series[4].name, "top");
 }
 
 TEST(Validation, DoesNotBlowUpAnObservableThatHardlyAnswers) {
