@@ -6,7 +6,6 @@
 
 #include "evolution/findings/compared_inflation.h"
 #include "evolution/findings/inflation_result.h"
-#include "evolution/findings/pressure_key.h"
 #include "evolution/findings/result_files.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
@@ -53,9 +52,9 @@ std::string contact_verdict(const fs::path& results, const meshes::Robot& robot,
   if (!is_vacuum) return text;
   // As far from where walls touch as a pressure has to be from ballooning.
   const double safe_Pa = meshes::largest_safe_share * free_Pa.value_or(0.0);
-  if (safe_Pa < 0.0) return text + " Raise the lowest drive.pressure_Pa to " + pressure_of_key(safe_Pa) + " or more.";
+  if (safe_Pa < 0.0) return text + " Raise the lowest drive.pressure_Pa to " + io::pascals_towards_rest(safe_Pa) + " or more.";
   return has_quadratic_contact
-             ? text + " Raise the lowest drive.pressure_Pa well above " + pressure_of_key(*validated->missed_Pa) + "."
+             ? text + " Raise the lowest drive.pressure_Pa well above " + io::pascals_towards_rest(*validated->missed_Pa) + "."
              : text;
 }
 

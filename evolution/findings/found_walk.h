@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <string>
 
 #include "io/text/toml_document.h"
+#include "meshes/load_cases/walk_agreement.h"
 #include "meshes/robot/robot.h"
 
 namespace menger::evolution {
@@ -20,7 +20,7 @@ struct FoundWalk {
   std::optional<double> fell_s{};  ///< when the body fell over, if it did
 
   [[nodiscard]] double distance_m() const { return std::hypot(x_m, y_m); }
-  [[nodiscard]] double direction_deg() const { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
+  [[nodiscard]] double direction_deg() const { return meshes::direction_deg(x_m, y_m); }
 };
 
 /// Returns the walk that a result tells of, and whether the body fell over in it, by its frames beside the file.

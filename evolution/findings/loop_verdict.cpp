@@ -1,6 +1,7 @@
 #include "evolution/findings/loop_verdict.h"
 
 #include "evolution/findings/contact_verdict.h"
+#include "evolution/findings/elements_verdict.h"
 #include "evolution/findings/pressure_verdict.h"
 #include "evolution/findings/search_result.h"
 #include "evolution/findings/shape_result.h"

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "evolution/findings/compared_inflation.h"
+#include "evolution/findings/elements_verdict.h"
 #include "evolution/findings/inflation_result.h"
 #include "evolution/findings/limit_result.h"
-#include "evolution/findings/pressure_key.h"
 #include "evolution/findings/result_files.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
@@ -44,7 +44,7 @@ std::optional<SoftestLaw> softest_law(const meshes::Robot& robot, double limit_P
 }
 
 /// "lower drive.pressure_Pa to 4870 Pa or less"
-std::string lower_to(double safe_Pa) { return "lower drive.pressure_Pa to " + pressure_of_key(safe_Pa) + " or less"; }
+std::string lower_to(double safe_Pa) { return "lower drive.pressure_Pa to " + io::pascals_towards_rest(safe_Pa) + " or less"; }
 
 /// What is known of a drive whose limit pressure is known, by the law of its file.
 /// @param limit_Pa of thin walls, which the stages of the loop have
@@ -66,8 +66,8 @@ std::string limit_verdict(const meshes::Robot& robot, double limit_Pa, const std
          (is_by_one_law ? " by its law (" + meshes::law_text(robot.law, robot.record) + "), " +
                               (drive_Pa > softest->limit_Pa ? "not" : "hardly") + " by the softest of its silicone"
                         : "") +
-         ": safe up to " + kilopascals(rounded_to_rest_Pa(safe_Pa)) + ", 20 % below the " + between + " at which it balloons" +
-         where + ".";
+         ": safe up to " + kilopascals(io::rounded_towards_rest(safe_Pa)) + ", 20 % below the " + between +
+         " at which it balloons" + where + ".";
 }
 
 /// What the softest law of its silicone says of a drive; empty where the robot has that law.
@@ -78,16 +78,11 @@ std::string softest_verdict(const meshes::Robot& robot, double limit_Pa) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const double safe_Pa = meshes::largest_safe_share * softest->limit_Pa;
   const std::string begin = "By the softest law of its silicone (" + softest->text + ") it ";
-  if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(rounded_to_rest_Pa(safe_Pa)) + ".";
+  if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(io::rounded_towards_rest(safe_Pa)) + ".";
   const std::string test = ": test the silicone that you cast, or " + lower_to(safe_Pa) + ".";
   if (drive_Pa > softest->limit_Pa) return begin + "balloons near " + kilopascals(softest->limit_Pa) + test;
   return begin + "is near ballooning, " + percents(drive_Pa / softest->limit_Pa) + " of " + kilopascals(softest->limit_Pa) + test;
 }
-
-// A body that walks stands on the ground where it is inflated, and on none where it is validated: its volume differs by that,
-// too.
-std::string supports_of_inflate(const meshes::Robot& robot) { return robot.walks ? " (inflate, on the ground)" : " (inflate)"; }
-std::string supports_of_validate(const meshes::Robot& robot) { return robot.walks ? " (validate, free)" : " (validate)"; }
 
 /// That the body loses its equilibrium below the pressure of its drive on the elements of the validation; empty unless it does.
 /// @param limit_Pa of thin walls, if they have one
@@ -99,13 +94,10 @@ std::string instability_verdict(const fs::path& results, const meshes::Robot& ro
   const std::string thin = limit_Pa ? kilopascals(meshes::least_limit_of_thin_walls_Pa(*limit_Pa)) : kilopascals(drive_Pa);
   const double safe_Pa = meshes::largest_safe_share * validated->last_Pa;
   return "Whether it bears its pressure of " + kilopascals(drive_Pa) + " is not known: quadratic elements" +
-         supports_of_validate(robot) + " lose their stable equilibrium " + where_ended(*validated) +
-         ", where a body buckles or balloons; thin walls" + supports_of_inflate(robot) + " see no such point below " + thin +
-         ". " + (safe_Pa > 0.0 ? "To be safe by both, " + lower_to(safe_Pa) + "." : "");
+         validate_supports(robot) + " lose their stable equilibrium " + where_ended(*validated) +
+         ", where a body buckles or balloons; thin walls" + inflate_supports(robot) + " see no such point below " + thin + ". " +
+         (safe_Pa > 0.0 ? "To be safe by both, " + lower_to(safe_Pa) + "." : "");
 }
-
-/// Growths of the chamber that differ by less than this are told as one.
-constexpr double same_growth = 0.05;
 
 }  // namespace
 
@@ -128,29 +120,6 @@ std::vector<std::string> pressure_verdict(const fs::path& results, const meshes:
   if (!limit_Pa)
     return {"It bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + "."};
   return by_both_laws();
-}
-
-std::string elements_verdict(const fs::path& results, const meshes::Robot& robot) {
-  const auto inflation = table_at(results / "inflate/result.toml");
-  if (robot.chambers != meshes::ChamberLayout::single || !inflation || !early_end(*inflation).empty()) return "";
-  if (!io::is_file(results / "inflate/curves.csv") || !io::is_file(results / "validate/errors.csv")) return "";
-  const double drive_Pa = strongest_pressure_Pa(robot);
-  const auto grown = growth_at(chambers_in(io::read_csv(results / "inflate/curves.csv")), drive_Pa);
-  const io::CsvContents compared = io::read_csv(results / "validate/errors.csv");
-  for (std::size_t row = 0; row < compared.row_count(); ++row) {
-    const bool is_there =
-        compared.text(row, "observable") == "volume_change" && std::abs(compared.number(row, "pressure_Pa") - drive_Pa) <= 1.0;
-    if (!is_there || !grown) continue;
-    const double thin = grown->whole;
-    const double quadratic = 1.0 + compared.number(row, "finite_elements");
-    const double difference = std::abs(quadratic / thin - 1.0);
-    if (difference <= same_growth) return "";
-    return "At " + kilopascals(drive_Pa) + " its chamber is known to " + percents(difference) + ": " +
-           io::formatted("%.2f", thin) + " times its volume at rest by thin walls" + supports_of_inflate(robot) + ", " +
-           io::formatted("%.2f", quadratic) + " times by quadratic elements" + supports_of_validate(robot) + "." +
-           (robot.walks ? " The ground holds the body back: part of the difference is that." : "");
-  }
-  return "";
 }
 
 std::string overdrive(const fs::path& results, const meshes::Robot& robot) {

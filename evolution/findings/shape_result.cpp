@@ -82,7 +82,10 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     errors.signs += signs.count(row, "count");
     errors.wrong_signs += signs.count(row, "wrong");
-    if (signs.count(row, "wrong") > 0) errors.wrong_ways.push_back(io::displacement_words(signs.text(row, "observable")));
+    if (signs.count(row, "wrong") == 0) continue;
+    std::string way =
+        io::displacement_words(signs.text(row, "observable"));  // which may have a row inside the range and one outside
+    if (std::ranges::find(errors.wrong_ways, way) == errors.wrong_ways.end()) errors.wrong_ways.push_back(std::move(way));
   }
   return errors;
 }
@@ -138,7 +141,7 @@ std::string shape_verdict(const fs::path& results) {
   const std::string compared = compared_text(results);
   if (!errors.displacement) return "The surrogate gives this body no shape that can be compared.";
   const double worse = std::max(*errors.displacement, errors.displacement_beyond.value_or(0.0));
-  if (worse <= meshes::largest_shape_error && errors.wrong_signs == 0) {
+  if (meshes::is_shape_close(worse, errors.wrong_signs)) {
     std::string well = "The surrogate takes the shape of this body well";
     if (!errors.is_inside)
       well += ", " + median_text(errors) + " off in the median, though all that was compared lies outside what the fit covers";

@@ -11,6 +11,7 @@ namespace menger::evolution {
 std::string shape_text(const std::filesystem::path& results, const meshes::Robot& robot);
 
 /// Returns whether the surrogate's shape of the robot is to be trusted, in a sentence; empty if it was not compared.
+/// @throws io::InputError if a result cannot be read
 std::string shape_verdict(const std::filesystem::path& results);
 
 }  // namespace menger::evolution

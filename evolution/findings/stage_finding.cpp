@@ -12,6 +12,7 @@
 #include "evolution/findings/shape_result.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 

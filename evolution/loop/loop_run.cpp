@@ -94,7 +94,7 @@ class LoopRun {
       : request_(request),
         robot_(std::move(robot)),
         places_(fs::absolute(request.robot).lexically_normal(),
-                request.results.empty() ? fs::path() : fs::absolute(request.results)),
+                request.results.empty() ? fs::path() : fs::absolute(request.results).lexically_normal()),
         stages_(loop_stages(robot_, places_, io::is_file(request.programs / "menger-report"))),
         out_(out) {
     if (!request_.until.empty()) {
@@ -111,6 +111,8 @@ class LoopRun {
   }
 
   int write_studies() {
+    state_.emplace(places_.results / loop_state_name);
+    refuse_other_robot();
     meshes::take_champion(robot_, places_);
     std::vector<meshes::RobotStudy> studies;
     for (const meshes::RobotStudy study : meshes::robot_studies()) {
@@ -207,7 +209,9 @@ class LoopRun {
     const fs::path file = fs::absolute(request_.robot).lexically_normal();
     const fs::path own = file.lexically_relative(places_.results);  // so that a copy of robot and results keeps them
     const fs::path other = (places_.results / state_->robot()).lexically_normal();
-    if (!state_->robot().empty() && state_->robot() != own && io::is_file(other))
+    std::error_code error;
+    const bool is_other = !state_->robot().empty() && io::is_file(other) && !fs::equivalent(other, file, error);
+    if (is_other)
       throw io::InputError(shown(places_.results) + ": has the results of " + shown(other) +
                            ", which this loop would replace: name another folder with -o, as in -o " +
                            shown(file.parent_path() / (file.stem().string() + "_results")));
@@ -216,13 +220,17 @@ class LoopRun {
 
   void tell_plan() {
     out_ << meshes::summary_of(robot_) << "; results in " << shown(places_.results) << '\n';
-    meshes::Robot body = robot_;
-    meshes::take_champion(body, places_);
-    forecast_ = loop_forecast(body, places_);
-    for (const std::string& line : forecast_) out_ << line << '\n';
+    for (const std::string& line : forecast()) out_ << line << '\n';
     for (const std::string& change : robot_changes(places_.results / "manifest.json", io::described_text(robot_)))
       out_ << "changed since the last finished run: " << change << '\n';
     out_ << std::flush;
+  }
+
+  /// What is to be expected of the robot, as far as it is known now: a fit and a validation tell more.
+  [[nodiscard]] std::vector<std::string> forecast() const {
+    meshes::Robot body = robot_;
+    meshes::take_champion(body, places_);
+    return loop_forecast(body, places_);
   }
 
   std::string label(std::size_t n) const {
@@ -546,7 +554,7 @@ class LoopRun {
 
   /// Leaves what came out for the report.
   void note_verdict() {
-    LoopVerdict noted{.lines = verdict(), .forecast = forecast_};
+    LoopVerdict noted{.lines = verdict(), .forecast = forecast()};
     if (current_.contains("limit")) noted.softest_limit_Pa = softest_limit_Pa(places_.results, robot_);
     for (const LoopStage& stage : stages_) {
       if (stage.program == "menger-report") continue;
@@ -600,7 +608,6 @@ class LoopRun {
   bool is_line_begun_ = false;                 ///< whether the last line waits for what its stage found
   std::string earlier_time_{};                 ///< that the stage took before; empty if it never ended
   double next_told_s_ = 0.0;                   ///< time in a stage at which it is told how far it is
-  std::vector<std::string> forecast_;          ///< the first lines: what is to be expected of this robot
   std::optional<std::vector<std::string>> verdict_;  ///< once all stages before the report have ended
   bool is_body_refused_ = false;                     ///< by menger mesh, in this call
 };

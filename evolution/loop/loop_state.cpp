@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "io/text/input_error.h"
 #include "io/text/version.h"
@@ -64,6 +65,12 @@ LoopState::LoopState(std::filesystem::path file) : file_(std::move(file)) {
   } catch (const std::exception&) {
     throw io::InputError(file_.string() + ": is no state of a loop; remove it to begin anew");
   }
+}
+
+void LoopState::set_robot(std::filesystem::path file) {
+  if (file == robot_) return;
+  robot_ = std::move(file);
+  if (!stages_.empty()) write();
 }
 
 const StageRecord* LoopState::find(const std::string& stage) const {

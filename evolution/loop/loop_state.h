@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace menger::evolution {
@@ -44,8 +43,8 @@ class LoopState {
   /// The file of the robot whose stages these are, counted from the folder of the results; empty if that is not known.
   [[nodiscard]] const std::filesystem::path& robot() const { return robot_; }
 
-  /// Notes of which robot the stages are; written with the next stage.
-  void set_robot(std::filesystem::path file) { robot_ = std::move(file); }
+  /// Notes of which robot the stages are. The file is written at once if it is there, or else with the first stage.
+  void set_robot(std::filesystem::path file);
 
   /// @return nothing is known: null
   [[nodiscard]] const StageRecord* find(const std::string& stage) const;

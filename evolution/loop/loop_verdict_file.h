@@ -15,7 +15,7 @@ inline constexpr std::string_view set_aside_folder = "earlier";
 /// What a loop says came out, as it leaves it for the report in loop_verdict.json.
 struct LoopVerdict {
   std::vector<std::string> lines{};              ///< sentences for people
-  std::vector<std::string> forecast{};           ///< what the loop said before its stages: law, expected error, warnings
+  std::vector<std::string> forecast{};           ///< law, expected error and warnings, as they are known after the stages
   std::map<std::string, std::string> results{};  ///< io::hash_of_results by manifest, from the folder
   /// Likewise those of an earlier robot, which stages of this loop have left in their folders.
   std::map<std::string, std::string> left_behind{};

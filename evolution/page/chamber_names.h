@@ -13,9 +13,6 @@ class ChamberNames {
   /// @param output of a command, whose parameters state the body
   explicit ChamberNames(const CommandOutput& output);
 
-  /// Whether it is known of which material each chamber is: only of bodies whose materials have chambers of their own.
-  [[nodiscard]] bool are_known() const { return !materials_.empty(); }
-
   /// Returns the material of a plenum, "plenum 0" or "plenum_0" in files; 0 if it is not known.
   [[nodiscard]] int material_of(const std::string& plenum) const;
 

@@ -64,6 +64,7 @@ void join_equal_series(PageChart& chart) {
       }
     }
   }
+  if (chart.x.logarithmic || chart.y.logarithmic) return;  // there a share of the range says nothing
   const auto is_hidden_by = [&](const PageSeries& one, const PageSeries& other) {
     return one.marks == other.marks && one.dashed == other.dashed && one.marks != PageMarks::points && one.labels.empty() &&
            other.labels.empty() && io::look_alike(one.x, other.x, highest[0] - lowest[0]) &&

@@ -274,7 +274,7 @@ PageTable input_table(const std::vector<CommandOutput>& outputs, const fs::path&
     }
     if (const json* drive = object_of(parameters, "drive")) {
       // The robot of a loop has a drive also where it is only inflated.
-      add("pressure of the drive", range_text(*drive, "pressure_Pa"));
+      if (text_of(*drive, "mode") != "hold") add("pressure of the drive", range_text(*drive, "pressure_Pa"));
       if (output.robot_walks) add("strokes", strokes_text(*drive));
       add("mode of the drive", mode_text(*drive));
     }

@@ -37,7 +37,7 @@ std::string with_rounded_numbers(const std::string& text) {
     double value = 0.0;
     if (is_number) std::from_chars(text.data() + at, text.data() + end, value);
     const std::size_t next = std::max(end, at + 1);
-    rounded += is_number ? io::shown(value, 4) : text.substr(at, next - at);
+    rounded += is_number ? (value < 1e4 ? io::shown(value, 4) : io::formatted("%.0f", value)) : text.substr(at, next - at);
     at = next;
   }
   return rounded;

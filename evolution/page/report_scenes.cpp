@@ -1,11 +1,11 @@
 #include "evolution/page/report_scenes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "evolution/page/body_frames.h"
@@ -71,7 +71,7 @@ std::optional<double> direction_deg(const io::TomlTable& result) {
   if (!result.has("displacement_m") || lengths.value_or(0.0) < meshes::walk_limits::least_body_lengths) return std::nullopt;
   const std::vector<double> moved_m = result.numbers("displacement_m");
   if (moved_m.size() != 3) return std::nullopt;
-  return std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
+  return meshes::direction_deg(moved_m[0], moved_m[1]);
 }
 
 /// Two walks of one body in both models, which are shown beside each other.

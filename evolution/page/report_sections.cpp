@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -166,7 +165,7 @@ std::optional<CommonDirection> common_direction(const CommandOutput& of, const s
       most_elements = elements;
       direction = {.along = {moved_m[0] / way_m, moved_m[1] / way_m},
                    .walk = (other.name.empty() ? heading_of(other) : other.name) + " (" + model_of(other) + ", " +
-                           io::degrees(std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi) + " from x)"};
+                           io::degrees(meshes::direction_deg(moved_m[0], moved_m[1])) + " from x)"};
     } catch (const io::InputError&) {
       continue;  // told where its own walk is shown
     }
@@ -268,7 +267,7 @@ PageSection walk_section(const std::vector<CommandOutput>& outputs, Notes& notes
       std::string direction = shown_number(std::optional<double>());
       if (result.has("displacement_m") && !goes_nowhere) {
         const std::vector<double> vector_m = result.numbers("displacement_m");
-        if (vector_m.size() == 3) direction = shown_whole(std::atan2(vector_m[1], vector_m[0]) * 180.0 / std::numbers::pi);
+        if (vector_m.size() == 3) direction = shown_whole(meshes::direction_deg(vector_m[0], vector_m[1]));
       }
       table.rows.push_back({model_of(output), shown_number(moved_m ? std::optional(1e3 * *moved_m) : std::nullopt),
                             shown_number(lengths),

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -134,6 +133,7 @@ ValidationFacts validation_facts(const CommandOutput& output, const CommandOutpu
     }
     if (text_in(summary, row, "range") != "inside") {
       facts.outside += count_in(summary, row, "count") + count_in(summary, row, "without_equilibrium");
+      if (kind == "displacement") facts.displacement_outside = number_in(summary, row, "median");
       continue;
     }
     if (kind != "displacement" && kind != "volume") continue;
@@ -164,8 +164,8 @@ ValidationFacts validation_facts(const CommandOutput& output, const CommandOutpu
   if (!io::is_file(signs_file)) return facts;
   const io::CsvContents signs = io::read_csv(signs_file);
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
-    // As with medians: those outside the range of validity tell only where nothing was compared inside.
-    if (facts.displacement.count > 0 && signs.has("range") && text_in(signs, row, "range") != "inside") continue;
+    // Of one body all count, as the loop does; of several only what the fit covers, as with their medians.
+    if (facts.bodies > 1 && signs.has("range") && text_in(signs, row, "range") != "inside") continue;
     facts.signs += count_in(signs, row, "count");
     const std::size_t wrong = count_in(signs, row, "wrong");
     facts.wrong_signs += wrong;
@@ -227,7 +227,7 @@ WalkFacts walk_facts(const CommandOutput& output) {
   if (result.has("displacement_m")) {
     const std::vector<double> moved_m = result.numbers("displacement_m");
     if (moved_m.size() == 3) {
-      facts.direction_deg = std::atan2(moved_m[1], moved_m[0]) * 180.0 / std::numbers::pi;
+      facts.direction_deg = meshes::direction_deg(moved_m[0], moved_m[1]);
       add_progress(output, moved_m, facts);
     }
   }

@@ -68,11 +68,12 @@ struct ValidationFacts {
   std::string early_end{};  ///< of the finite elements of a loop's robot: status and reason; empty if they reached all states
   ErrorFact displacement{};
   ErrorFact volume{};
-  std::size_t outside = 0;                 ///< numbers outside the range of validity
-  std::vector<std::string> outside_why{};  ///< for people, why: "it is longer than the bodies of the fit"; each once
-  std::size_t signs = 0;                   ///< displacements that are large enough to have a direction
-  std::size_t wrong_signs = 0;             ///< of these, those that go the other way in the surrogate
-  std::vector<std::string> wrong_ways{};   ///< "extent y (5 of 5)": displacements of one kind that go the wrong way
+  std::size_t outside = 0;                       ///< numbers outside the range of validity
+  std::optional<double> displacement_outside{};  ///< median error of the displacements there
+  std::vector<std::string> outside_why{};        ///< for people, why: "it is longer than the bodies of the fit"; each once
+  std::size_t signs = 0;                         ///< displacements that are large enough to have a direction
+  std::size_t wrong_signs = 0;                   ///< of these, those that go the other way in the surrogate
+  std::vector<std::string> wrong_ways{};         ///< "extent y (5 of 5)": displacements of one kind that go the wrong way
 };
 
 enum class WalkModel { elements, surrogate, voxels };

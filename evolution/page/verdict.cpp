@@ -21,10 +21,6 @@ std::string with_reason(io::RunStatus status, const std::string& reason) {
   return std::string(io::to_string(status)) + (reason.empty() ? "" : ", " + reason);
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// A line of a program as a sentence.
 std::string sentence_of(std::string line) {
   if (!line.empty() && line.front() >= 'a' && line.front() <= 'z') line.front() = static_cast<char>(line.front() - 'a' + 'A');
@@ -112,7 +108,7 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
   Finding finding{Tone::caution, begin, facts.source};
   finding.text += "Balloons or buckles at " + io::kilopascals(limit_Pa) +
                   ": there the pressure stops rising while the volume grows (limit point). Up to " +
-                  io::kilopascals(safe_share(facts) * limit_Pa) + " it is 20 % or more below that";
+                  io::kilopascals(io::rounded_towards_rest(safe_share(facts) * limit_Pa)) + " it is 20 % or more below that";
   if (facts.stated.elements == "thin_wall")
     finding.text += " and below what it may be: thin walls put limit pressures " + meshes::thin_wall_excess_text() +
                     " higher than three-field elements do (fem/README.md)";
@@ -185,9 +181,10 @@ Finding calibration_finding(const CalibrationFacts& facts) {
   if (!facts.median_error)
     return {Tone::bad, "The calibration of the surrogate gave no result (" + with_reason(facts.status, facts.reason) + ").",
             facts.source};
-  std::string text =
-      "The fitted surrogate is " + io::percents(*facts.median_error) + " off the finite elements it was fitted to (median of " +
-      counted(facts.quantities, "quantity", "quantities") + " of " + counted(facts.cases, "load case", "load cases") + ")";
+  std::string text = "The fitted surrogate is " + io::percents(*facts.median_error) +
+                     " off the finite elements it was fitted to (median of " +
+                     io::counted(facts.quantities, "quantity", "quantities") + " of " +
+                     io::counted(facts.cases, "load case", "load cases") + ")";
   if (facts.worst_error) text += "; the worst is " + io::percents(*facts.worst_error) + " off (" + facts.worst_case + ")";
   text += ".";
   if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
@@ -205,7 +202,10 @@ Tone tone_of_error(double median) {
 /// @pre displacements have a median error
 Tone tone_of(const ValidationFacts& facts) {
   if (facts.bodies == 1)
-    return *facts.displacement.median <= meshes::largest_shape_error && facts.wrong_signs == 0 ? Tone::good : Tone::bad;
+    return meshes::is_shape_close(std::max(*facts.displacement.median, facts.displacement_outside.value_or(0.0)),
+                                  facts.wrong_signs)
+               ? Tone::good
+               : Tone::bad;
   const Tone by_size = tone_of_error(*facts.displacement.median);
   return facts.wrong_signs > 0 ? std::max(by_size, Tone::caution) : by_size;
 }
@@ -221,10 +221,13 @@ std::string why_text(const ValidationFacts& facts) {
 Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
-    return {Tone::bad,
-            "Do not trust the surrogate for this body: all that was compared lies outside the range of its fit" +
-                why_text(facts) + ".",
-            facts.source};
+    const std::string outside = "all that was compared lies outside the range of its fit" + why_text(facts) + ".";
+    if (facts.displacement_outside && meshes::is_shape_close(*facts.displacement_outside, facts.wrong_signs))
+      return {
+          Tone::caution,
+          "The surrogate's shapes are " + io::percents(*facts.displacement_outside) + " off finite elements, though " + outside,
+          facts.source};
+    return {Tone::bad, "Do not trust the surrogate for this body: " + outside, facts.source};
   }
   if (!shapes.median) {
     return {
@@ -235,8 +238,8 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   const bool has_bodies = facts.bodies > 1;
   std::string text = "The surrogate's shapes are " + io::percents(*shapes.median) +
                      (shapes.median_m && !has_bodies ? " (" + io::millimetres(*shapes.median_m, 2) + ")" : "") +
-                     " off finite elements (median of " + counted(shapes.count, "displacement", "displacements") + " of " +
-                     counted(facts.bodies, "body", "bodies") + ", inside the range of the fit";
+                     " off finite elements (median of " + io::counted(shapes.count, "displacement", "displacements") + " of " +
+                     io::counted(facts.bodies, "body", "bodies") + ", inside the range of the fit";
   if (shapes.worst) {
     text += "; the worst is " + io::percents(*shapes.worst) + " off";
     if (shapes.worst_m) text += ", or " + io::millimetres(*shapes.worst_m);
@@ -252,14 +255,15 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
   text += ".";
   if (facts.wrong_signs > 0)
-    text += " " + std::to_string(facts.wrong_signs) + " of " + counted(facts.signs, "displacement", "displacements") +
+    text += " " + std::to_string(facts.wrong_signs) + " of " + io::counted(facts.signs, "displacement", "displacements") +
             " of at least " + io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
             " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
   if (shapes.without_equilibrium > 0)
-    text += " In " + counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
+    text += " In " + io::counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
   if (facts.outside > 0)
-    text += " " + counted(facts.outside, "number outside the range of the fit does", "numbers outside the range of the fit do") +
-            " not count here" + why_text(facts) + ".";
+    text += " " +
+            io::counted(facts.outside, "number outside the range of the fit does", "numbers outside the range of the fit do") +
+            " not count here" + (has_bodies ? "" : why_text(facts)) + ".";
   if (facts.bodies == 1 && tone_of(facts) == Tone::bad) text += " Do not trust the surrogate for this body.";
   return {tone_of(facts), text, facts.source};
 }
@@ -448,8 +452,8 @@ std::vector<ElementWalks> element_walks(const std::vector<WalkFacts>& walks) {
 Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
   const auto& [one, other] = group.worst_pair;
   Finding finding{Tone::good, several_bodies ? one->name + ": " : "", one->source + ", " + other->source};
-  finding.text += counted(group.walks.size(), "walk", "walks") + " on finite elements, of one body driven alike (" + one->place +
-                  " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
+  finding.text += io::counted(group.walks.size(), "walk", "walks") + " on finite elements, of one body driven alike (" +
+                  one->place + " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
                   "): " + speed_number(*one->per_minute) + " and " + speed_text(*other->per_minute);
   if (const auto angle_deg = angle_of(*one, *other)) finding.text += ", " + io::degrees(*angle_deg) + " apart";
   switch (group.worst) {
@@ -477,7 +481,7 @@ Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
 Finding ranking_finding(const RankingFacts& facts) {
   std::string text;
   Tone tone = Tone::caution;
-  const std::string of = std::to_string(facts.compared) + " of " + counted(facts.designs, "robot", "robots");
+  const std::string of = std::to_string(facts.compared) + " of " + io::counted(facts.designs, "robot", "robots");
   if (facts.spearman) {
     const IntervalFact& rank = *facts.spearman;
     text = "Over " + of + ", the rank correlation of the search's distances with those on finite elements is " +
@@ -510,10 +514,10 @@ Finding ranking_finding(const RankingFacts& facts) {
 Finding search_finding(const SearchFacts& facts, bool several) {
   const std::string begin = several ? "Search " + facts.source + ": " : "";
   if (!facts.last_fitness) {
-    return {
-        Tone::bad,
-        begin + "The search found no robot with a fitness in " + counted(facts.generations, "generation", "generations") + ".",
-        facts.source};
+    return {Tone::bad,
+            begin + "The search found no robot with a fitness in " + io::counted(facts.generations, "generation", "generations") +
+                ".",
+            facts.source};
   }
   std::string text = begin + "The best robot of generation " + facts.last_generation + " has a fitness of " +
                      shown_number(facts.last_fitness) + " " + facts.unit;
@@ -686,7 +690,8 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
     if (share > safe)
       return "The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure of " + limit +
              (share > 1.0 ? "." : meaning_of_share(share, safe) + ".") + " ";
-    return "Usable up to " + io::kilopascals(safe * one.limit->pressure_Pa) + ", 20 % or more below " + limit + ". ";
+    return "Usable up to " + io::kilopascals(io::rounded_towards_rest(safe * one.limit->pressure_Pa)) + ", 20 % or more below " +
+           limit + ". ";
   }
   if (!one.highest_pressure_Pa || *one.highest_pressure_Pa <= 0.0) return {};
   const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
@@ -805,9 +810,8 @@ Verdict verdict_of(const ReportFacts& facts) {
   verdict.headline = pressure_headline(facts, verdict.tone);
   verdict.headline += trust_headline(facts, walks, verdict.headline, verdict.tone);
   // Walks come first in the headline, and must not hide that a shape is wrong.
-  const auto wrong = std::ranges::find_if(facts.validations, [](const ValidationFacts& one) {
-    return is_all_outside(one) || (one.bodies == 1 && one.displacement.median && tone_of(one) == Tone::bad);
-  });
+  const auto wrong = std::ranges::find_if(
+      facts.validations, [](const ValidationFacts& one) { return one.bodies == 1 && finding_on_shapes(one).tone == Tone::bad; });
   if (wrong != facts.validations.end() && verdict.headline.find("Do not trust the surrogate") == std::string::npos) {
     const std::string& name = wrong->displacement.worst_body;
     verdict.headline += " Do not trust the surrogate for the shape of " +

@@ -199,7 +199,11 @@ std::optional<Champion> champion_of(const RunView& run, const Study& study, int 
                                     const std::vector<Confirmation>& confirmed) {
   std::optional<DesignSummary> fittest = summarise_generation(run, generation).champion;
   if (!fittest) return std::nullopt;
-  if (confirmed.empty()) return Champion{std::move(*fittest)};
+  if (confirmed.empty()) {
+    std::string note =
+        fittest->fitness ? io::formatted("%.4f", *fittest->fitness) + " " + unit_text(study) + " in the search" : "";
+    return Champion{std::move(*fittest), std::move(note)};
+  }
   const std::span<const Confirmation> walks = best_confirmed(confirmed);
   if (walks.empty()) {
     return Champion{std::move(*fittest), "the best of the search, as no robot that was confirmed walks on finer elements; " +

@@ -59,21 +59,21 @@ void make_room_for_legend(io::ChartPanel& panel) {
 io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
   io::ChartPanel panel;
   panel.title = title;
-  panel.x = {.title = "processor time (s)", .logarithmic = true};
+  panel.x = {.title = table.has_processor_times() ? "processor time (s)" : "wall time (s)", .logarithmic = true};
   panel.y = {.title = "largest error of the observables (%)", .logarithmic = true};
   std::map<std::string, std::size_t> places;
   for (const TradeRow& row : table.rows) {
-    if (!row.error || !row.cost_s()) continue;
+    if (!row.error || !table.cost_s(row)) continue;
     const auto [place, is_new] = places.emplace(group_of(row), panel.series.size());
     if (is_new) {
       panel.series.push_back({.name = place->first, .marks = io::Marks::points, .colour = io::chart_colour(panel.series.size())});
     }
-    panel.series[place->second].x.push_back(std::max(least_s, *row.cost_s()));
+    panel.series[place->second].x.push_back(std::max(least_s, *table.cost_s(row)));
     panel.series[place->second].y.push_back(drawn_percent(*row.error, table));
   }
   io::ChartSeries front{.name = "Pareto front", .marks = io::Marks::line, .dashed = true, .colour = io::chart_ink};
   for (const std::size_t n : pareto_front(table)) {
-    front.x.push_back(std::max(least_s, *table.rows[n].cost_s()));
+    front.x.push_back(std::max(least_s, *table.cost_s(table.rows[n])));
     front.y.push_back(drawn_percent(*table.rows[n].error, table));
   }
   if (front.x.size() > 1) panel.series.push_back(front);  // one row is no front, and its point would lie under another
@@ -86,9 +86,9 @@ io::ChartPanel trade_panel(const TradeTable& table, const std::string& title) {
   cover_decades(panel.x, seconds);
   cover_decades(panel.y, percents);
   const auto is_raised = [&](const TradeRow& row) {
-    return row.error && row.cost_s() && drawn_percent(*row.error, table) > 100.0 * *row.error;
+    return row.error && table.cost_s(row) && drawn_percent(*row.error, table) > 100.0 * *row.error;
   };
-  const auto is_shortened = [](const TradeRow& row) { return row.error && row.cost_s() && *row.cost_s() < least_s; };
+  const auto is_shortened = [&](const TradeRow& row) { return row.error && table.cost_s(row) && *table.cost_s(row) < least_s; };
   if (std::ranges::any_of(table.rows, is_raised))
     panel.y.title += "; smaller ones are drawn as " + io::shown(drawn_percent(0.0, table), 2);
   if (std::ranges::any_of(table.rows, is_shortened)) panel.x.title += "; shorter ones are drawn as " + io::shown(least_s);

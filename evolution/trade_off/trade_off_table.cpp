@@ -34,9 +34,10 @@ std::optional<double> largest_error(const std::vector<std::optional<double>>& er
 std::vector<std::size_t> by_cost(const TradeTable& table) {
   std::vector<std::size_t> order;
   for (std::size_t n = 0; n < table.rows.size(); ++n) {
-    if (table.rows[n].error && table.rows[n].cost_s()) order.push_back(n);
+    if (table.rows[n].error && table.cost_s(table.rows[n])) order.push_back(n);
   }
-  std::ranges::stable_sort(order, {}, [&](std::size_t n) { return std::pair(*table.rows[n].cost_s(), *table.rows[n].error); });
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t n) { return std::pair(*table.cost_s(table.rows[n]), *table.rows[n].error); });
   return order;
 }
 
@@ -45,10 +46,10 @@ double known_error(const TradeTable& table, std::size_t n) {
   return std::max(*table.rows[n].error, table.reference_error.value_or(0.0));
 }
 
-std::string cost_text(const TradeRow& row) {
-  const double cost_s = row.cost_s().value_or(0.0);
+std::string cost_text(const TradeTable& table, const TradeRow& row) {
+  const double cost_s = table.cost_s(row).value_or(0.0);
   std::string text = cost_s < 10.0 ? io::shown(cost_s, 2) + " s" : io::duration_text(cost_s);
-  if (row.cpu_seconds) text += " of a core";
+  if (table.has_processor_times()) text += " of a core";
   if (row.peak_megabytes) text += " and " + io::formatted("%.0f", *row.peak_megabytes) + " MB";
   return text;
 }
@@ -140,7 +141,7 @@ std::string recommendation_text(const TradeTable& table, const std::vector<doubl
       const TradeRow& row = table.rows[*response.row];
       text += "you need " + row.model + ", " + row.label + " (" + io::percents(*row.error) +
               (response.row == table.reference ? " by its own estimate" : " from the reference") + "), it costs " +
-              cost_text(row);
+              cost_text(table, row);
       if (row.is_outside()) text += ", outside the range of validity of its parameters";
     } else if (table.reference_error && *table.reference_error > response.target) {
       text += "no run is accurate enough: the reference itself is known to " + io::percents(*table.reference_error) + " only";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -41,9 +42,6 @@ struct TradeRow {
   /// What was outside the range of validity of the voxel parameters, a sentence each. None for a run without such parameters.
   std::optional<std::vector<std::string>> outside_validity{};
 
-  /// What a run costs, s: processor time, which other work on the machine changes less than wall time; wall time if that alone is
-  /// known, and nothing if neither is.
-  [[nodiscard]] std::optional<double> cost_s() const { return cpu_seconds ? cpu_seconds : seconds; }
   [[nodiscard]] bool is_outside() const { return outside_validity && !outside_validity->empty(); }
 };
 
@@ -58,6 +56,15 @@ struct TradeTable {
   /// estimate.
   std::vector<std::optional<double>> reference_errors{};
   std::optional<double> reference_error{};  ///< the largest of these; none if an observable that counts has none
+
+  /// Whether the processor time of all runs is known, which other work on the machine changes less than their wall time.
+  [[nodiscard]] bool has_processor_times() const {
+    return std::ranges::all_of(rows, [](const TradeRow& row) { return !row.seconds || row.cpu_seconds; });
+  }
+  /// What a run costs, s: processor time if that of all is known, or else wall time.
+  [[nodiscard]] std::optional<double> cost_s(const TradeRow& row) const {
+    return has_processor_times() ? row.cpu_seconds : row.seconds;
+  }
 };
 
 /// Returns, by observable, the scale of relative changes and errors: the magnitude of its value, but at least a tenth of the

@@ -15,8 +15,10 @@ std::string formatted(const char* format, double value) {
 
 std::string shown(double value, int digits) { return formatted(("%." + std::to_string(digits) + "g").c_str(), value); }
 
-std::string counted(std::size_t number, std::string_view one) {
-  return std::to_string(number) + " " + std::string(one) + (number == 1 ? "" : "s");
+std::string counted(std::size_t number, std::string_view one, std::string_view many) {
+  const std::string text = std::to_string(number) + " ";
+  if (number == 1) return text + std::string(one);
+  return text + (many.empty() ? std::string(one) + "s" : std::string(many));
 }
 
 std::string padded(std::size_t number, std::size_t digits) {

@@ -13,9 +13,9 @@ std::string formatted(const char* format, double value);
 /// Returns a number in a few significant digits, for people, without trailing zeros (%.4g).
 std::string shown(double value, int digits = 4);
 
-/// Returns a number with what is counted, for people: "1 chamber", "3 chambers". @param one the word for one, whose plural ends
-/// in s
-std::string counted(std::size_t number, std::string_view one);
+/// Returns a number with what is counted, for people: "1 chamber", "3 bodies".
+/// @param many the word for several; empty: that for one with an s
+std::string counted(std::size_t number, std::string_view one, std::string_view many = "");
 
 /// Returns a number padded with leading zeros to `digits` digits, so that file names sort in order.
 std::string padded(std::size_t number, std::size_t digits);

@@ -135,7 +135,8 @@ int run(int argc, const char* const* argv) {
   if (!is_gmsh && arguments.length_unit_m) throw io::InputError("--length-unit-m: applies to a mesh of Gmsh (.msh) only");
   if (!is_gmsh) {
     const bool is_robot = meshes::is_robot_file(arguments.input);
-    const meshes::CommandStudy command = meshes::command_study(arguments.input, meshes::RobotStudy::mesh);
+    const meshes::CommandStudy command = meshes::command_study(arguments.input, meshes::RobotStudy::mesh,
+                                                               arguments.output.parent_path() / arguments.output.stem());
     arguments.input = command.study;
     if (is_robot && arguments.output.empty()) arguments.output = command.folder / "mesh.vtu";
   }

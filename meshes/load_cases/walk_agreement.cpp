@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace menger::meshes {
+
+double direction_deg(double x_m, double y_m) { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
 
 double angle_between(double a_deg, double b_deg) {
   const double turned = std::fmod(std::abs(a_deg - b_deg), 360.0);

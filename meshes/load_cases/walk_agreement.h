@@ -24,6 +24,9 @@ inline constexpr double comparable_speed = 3.0;     ///< beyond it, walks differ
 inline constexpr double same_direction_deg = 45.0;  ///< directions agree within this angle
 }  // namespace walk_limits
 
+/// Returns the direction of a walk, degrees from the axis x towards y, -180 to 180.
+double direction_deg(double x_m, double y_m);
+
 /// Returns the angle between two directions, 0 to 180 degrees.
 double angle_between(double a_deg, double b_deg);
 

@@ -12,13 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The stage whose results a study needs and that has none yet; empty if there is none.
-std::string missing_fit(const Robot& robot, RobotStudy study, const RobotPlaces& places) {
-  if (study == RobotStudy::calibrate) return fs::exists(places.folder(RobotStudy::load_cases)) ? "" : "load_cases";
+/// Refuses a study that needs the results of a fit which has not been made, and says how to make it.
+void require_fit(const Robot& robot, RobotStudy study, const RobotPlaces& places) {
+  const std::string loop = "menger loop " + robot.file.string();
+  if (study == RobotStudy::calibrate && !fs::exists(places.folder(RobotStudy::load_cases))) {
+    const bool is_known = parameter_source(robot) == ParameterSource::known;
+    throw io::InputError(robot.file.string() + ": " +
+                         (is_known ? "menger comes with voxels for these cells; to fit them anew, first " + loop + " --fit"
+                                   : "the load cases of these cells have not been computed: first " + loop) +
+                         " --until load_cases, or name a folder of curves with --curves");
+  }
   const bool needs_voxels = study == RobotStudy::simulate || study == RobotStudy::validate;
-  return !needs_voxels || parameter_source(robot) != ParameterSource::fitted || io::is_file(places.fitted_parameters())
-             ? ""
-             : "calibrate";
+  if (!needs_voxels || parameter_source(robot) != ParameterSource::fitted || io::is_file(places.fitted_parameters())) return;
+  throw io::InputError(robot.file.string() + ": voxels have not been fitted to these cells: first " + loop +
+                       " --until calibrate");
 }
 
 }  // namespace
@@ -28,18 +35,14 @@ void take_champion(Robot& robot, const RobotPlaces& places) {
   robot.design.body = read_design(places.champion()).body;
 }
 
-CommandStudy command_study(const fs::path& given, RobotStudy study, const fs::path& output) {
+CommandStudy command_study(const fs::path& given, RobotStudy study, const fs::path& output, bool has_own_fit) {
   if (!is_robot_file(given)) return {given, output.empty() ? given.stem() : output};
   Robot robot = read_robot(given);
   RobotPlaces places(given);
-  if (!output.empty()) places.studies_folder = output / "studies";
+  places.output = output;
   if (const std::string reason = missing_because(robot, study); !reason.empty())
     throw io::InputError(given.string() + ": " + std::string(to_string(study)) + " is not computed for this robot: " + reason);
-  if (const std::string stage = missing_fit(robot, study, places); !stage.empty())
-    throw io::InputError(given.string() +
-                         ": menger comes with no voxels for these cells, and they have not been fitted: first menger "
-                         "loop " +
-                         given.string() + " --until " + stage);
+  if (!has_own_fit) require_fit(robot, study, places);
   if (needs_body(study)) take_champion(robot, places);
   if (needs_body(study) && !robot.has_body()) {
     throw io::InputError(given.string() + ": robot.design = \"evolve\": no search has found a body yet: first menger loop " +

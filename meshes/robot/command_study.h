@@ -16,8 +16,10 @@ struct CommandStudy {
 /// (is_robot_file) the study is derived and written where `menger loop` has it; so is the folder. If a search finds the body, it
 /// is that of the search's champion.
 /// @param output the folder that the user names, which takes the studies of a robot, too; empty: none
+/// @param has_own_fit whether the user names what a fit would give: the curves of a calibration, the parameters of a validation
 /// @throws io::InputError if the robot is wrong, has no such study, has no body yet, or needs a fit that has not been made
-CommandStudy command_study(const std::filesystem::path& given, RobotStudy study, const std::filesystem::path& output = {});
+CommandStudy command_study(const std::filesystem::path& given, RobotStudy study, const std::filesystem::path& output = {},
+                           bool has_own_fit = false);
 
 /// Refuses the file of a robot, for commands that have no study of it.
 /// @throws io::InputError if the file is that of a robot

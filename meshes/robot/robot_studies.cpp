@@ -120,7 +120,7 @@ class StudyTexts {
   std::string validate() {
     text_.add("parameters", parameters());
     text_.add("load_cases", path(places_.study(RobotStudy::validate_load_cases)));
-    text_.raw("curves", io::toml_value_text(std::vector{path(places_.folder(RobotStudy::validate) / "curves")}));
+    text_.raw("curves", io::toml_value_text(std::vector{path(places_.folder(RobotStudy::validate_load_cases))}));
     if (const double highest_Pa = drive_pressure_Pa(robot_)[1]; highest_Pa > 0.0) text_.add("actuation_pressure_Pa", highest_Pa);
     return text_.text();
   }
@@ -402,7 +402,8 @@ fs::path RobotPlaces::study(RobotStudy study) const { return studies() / (std::s
 
 fs::path RobotPlaces::folder(RobotStudy study) const {
   // The curves of the robot itself are a part of its validation.
-  if (study == RobotStudy::validate_load_cases) return results / to_string(RobotStudy::validate) / "curves";
+  if (study == RobotStudy::validate_load_cases)
+    return (output.empty() ? results / to_string(RobotStudy::validate) : output) / "curves";
   return results / to_string(study);
 }
 

@@ -49,9 +49,9 @@ struct RobotPlaces {
   explicit RobotPlaces(const std::filesystem::path& robot_file, const std::filesystem::path& results_folder = {});
 
   std::filesystem::path results;
-  std::filesystem::path studies_folder{};  ///< where studies go; empty: below the results
+  std::filesystem::path output{};  ///< folder of one command, which takes its studies and curves; empty: each has its own below
 
-  [[nodiscard]] std::filesystem::path studies() const { return studies_folder.empty() ? results / "studies" : studies_folder; }
+  [[nodiscard]] std::filesystem::path studies() const { return (output.empty() ? results : output) / "studies"; }
   [[nodiscard]] std::filesystem::path study(RobotStudy study) const;
   /// Folder of the results of a study.
   [[nodiscard]] std::filesystem::path folder(RobotStudy study) const;

@@ -145,7 +145,8 @@ int exit_code_of(const voxel::CalibrationRunResult& result) {
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::calibrate, arguments.folder);
+  const meshes::CommandStudy command =
+      meshes::command_study(arguments.study, meshes::RobotStudy::calibrate, arguments.folder, !arguments.curves.empty());
   arguments.study = command.study;
   arguments.folder = command.folder;
   const voxel::CalibrationStudy study = voxel::read_calibration_study(arguments.study, arguments.curves);

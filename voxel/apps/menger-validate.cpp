@@ -112,7 +112,8 @@ std::map<std::string, std::string> inputs_of(const voxel::ValidationStudy& study
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
-  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::validate, arguments.folder);
+  const meshes::CommandStudy command = meshes::command_study(arguments.study, meshes::RobotStudy::validate, arguments.folder,
+                                                             arguments.places.parameters.has_value());
   arguments.study = command.study;
   arguments.folder = command.folder;
   voxel::ValidationStudy study = voxel::read_validation_study(arguments.study, arguments.places);

@@ -146,9 +146,9 @@ std::vector<std::string> expected_error_text(const KnownErrors& known, const Cal
   const std::optional<KindErrors>& errors = known.errors->of(kind);
   if (!errors) return {no_validation_of(kind)};
   const std::vector<std::string> faults = outside_validity(calibrated, basal_body);
-  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) + (faults.empty() ? ": " : ", at least: ") +
-                                 medians_text(*errors) + " (" + basis_text(errors->bodies) + "; " + ninth_decile_text(*errors) +
-                                 "); " + about_shape};
+  std::vector<std::string> lines{"expected error for " + std::string(name_of(kind)) +
+                                 (faults.empty() ? ": " : ", if the fit covered it: ") + medians_text(*errors) + " (" +
+                                 basis_text(errors->bodies) + "; " + ninth_decile_text(*errors) + "); " + about_shape};
   if (is_bad(*errors)) lines.push_back(poor_model_of(kind));
   if (errors->wrong_signs > 0)
     lines.push_back(std::string(warning) + wrong_signs_text(*errors) +

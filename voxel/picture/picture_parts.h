@@ -14,8 +14,7 @@
 
 namespace menger::voxel {
 
-/// Colours of materials 1 and 2: red, green and blue, 0 to 255. The page of a report has the same, and so do the first two curves
-/// of a chart.
+/// Colours of materials 1 and 2: red, green and blue, 0 to 255. The page of a report has the same.
 inline constexpr std::array<std::array<unsigned char, 3>, 2> material_colours{{{0, 114, 178}, {213, 94, 0}}};
 
 /// A robot, moved by `shift` in the picture.

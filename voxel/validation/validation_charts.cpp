@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "io/picture/chart.h"
@@ -120,8 +121,8 @@ void add_part(io::ChartPanel& panel, const CurveComparison& comparison, const Cu
 /// Gives curves that cannot be told apart one name, such as those of two feet of a body that is its own mirror image.
 /// @pre every curve has two series, first finite elements and then the surrogate
 void join_what_coincides(io::ChartPanel& panel) {
-  double lowest = 0.0;
-  double highest = 0.0;
+  double lowest = std::numeric_limits<double>::max();
+  double highest = std::numeric_limits<double>::lowest();
   for (const io::ChartSeries& series : panel.series) {
     for (const double y : series.y) {
       lowest = std::min(lowest, y);

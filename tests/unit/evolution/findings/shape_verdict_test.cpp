@@ -44,6 +44,9 @@ TEST_F(ShapeVerdict, WarnsOfShapesThatTheSurrogateMisses) {
   io::write_whole(folder_ / "validate/signs.csv",
                   "body,observable,range,count,wrong\nrobot,extent_x_m,inside,5,0\nrobot,extent_y_m,outside,6,6\n");
   expect_has(verdict(), "6 of 11 displacements of at least 0.2 mm go the wrong way (the extent along y)");
+  io::write_whole(folder_ / "validate/signs.csv",
+                  "body,observable,range,count,wrong\nrobot,extent_y_m,inside,6,6\nrobot,extent_y_m,outside,6,5\n");
+  expect_has(verdict(), "11 of 12 displacements of at least 0.2 mm go the wrong way (the extent along y).");
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate's shape of this body: 30 % off");
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");

@@ -584,6 +584,35 @@ TEST_F(LoopRunTest, ReplacesNoResultsOfAnotherRobot) {
   EXPECT_EQ(run_loop(other, out_), io::exit_code::done) << "a robot that was given another name keeps its results";
 }
 
+TEST_F(LoopRunTest, KnowsAnotherRobotWhoseResultsAreNamedFromElsewhere) {
+  fs::create_directories(folder_ / "one");
+  fs::create_directories(folder_ / "two");
+  const auto loop = [&](const char* name) {
+    io::write_whole(folder_ / name / "robot.toml", robot_text);
+    return LoopRequest{.robot = folder_ / name / "robot.toml",
+                       .results = folder_ / name / "../shared",
+                       .until = "mesh",
+                       .programs = folder_ / "bin",
+                       .stop = &stop_};
+  };
+  ASSERT_EQ(run_loop(loop("one"), out_), io::exit_code::done);
+  const std::string message = tests::message_of([&] { run_loop(loop("two"), out_); });
+  EXPECT_NE(message.find("one/robot.toml, which this loop would replace"), std::string::npos) << message;
+  LoopRequest studies = loop("two");
+  studies.only_studies = true;
+  EXPECT_NE(tests::message_of([&] { run_loop(studies, out_); }).find("would replace"), std::string::npos);
+  ASSERT_EQ(run_loop(loop("one"), out_), io::exit_code::done);
+}
+
+TEST_F(LoopRunTest, RobotWithAnotherNameIsNotedAlthoughNothingIsComputed) {
+  ASSERT_EQ(run("mesh"), io::exit_code::done);
+  fs::rename(folder_ / "robot.toml", folder_ / "renamed.toml");
+  const LoopRequest renamed{.robot = folder_ / "renamed.toml", .until = "mesh", .programs = folder_ / "bin", .stop = &stop_};
+  ASSERT_EQ(run_loop(renamed, out_), io::exit_code::done);
+  io::write_whole(folder_ / "robot.toml", robot_text);
+  EXPECT_EQ(run_loop(renamed, out_), io::exit_code::done) << "the results are those of renamed.toml";
+}
+
 TEST_F(LoopRunTest, CopyOfARobotAndItsResultsGoesOn) {
   ASSERT_EQ(run("mesh"), io::exit_code::done);
   fs::create_directories(folder_ / "copy");

@@ -94,7 +94,7 @@ ReportFacts driven_body(double inflated_Pa, double limit_Pa, double drive_Pa) {
 
 TEST(Verdict, NamesADriveNearOrBeyondTheLimitPressure) {
   const Verdict safe = verdict_of(driven_body(2900.0, 7610.0, 2900.0));
-  EXPECT_TRUE(safe.headline.starts_with("Usable up to 6.09 kPa, 20 % or more below 7.61 kPa")) << safe.headline;
+  EXPECT_TRUE(safe.headline.starts_with("Usable up to 6.08 kPa, 20 % or more below 7.61 kPa")) << safe.headline;
   EXPECT_EQ(finding_with(safe, "The drive of 2.9 kPa is 38 % of the limit pressure.").tone, Tone::good);
 
   const Verdict near = verdict_of(driven_body(7000.0, 7610.0, 7000.0));
@@ -448,6 +448,15 @@ TEST(Verdict, TrustsTheShapeOfOneBodyWhereTheLoopDoes) {
   EXPECT_EQ(walks_alike.tone, Tone::bad);
   facts.validations = {{.bodies = 1, .displacement = {}, .outside = 36}};
   EXPECT_EQ(finding_with(verdict_of(facts), "all that was compared lies outside").tone, Tone::bad);
+  facts.validations.front().displacement_outside = 0.05;
+  const Verdict close = verdict_of(facts);
+  EXPECT_EQ(finding_with(close, "The surrogate's shapes are 5 % off finite elements, though all that was compared").tone,
+            Tone::caution);
+  EXPECT_EQ(close.headline.find("Do not trust"), std::string::npos) << close.headline;
+  facts.validations.front().wrong_signs = 1;
+  EXPECT_EQ(finding_with(verdict_of(facts), "all that was compared lies outside").tone, Tone::bad);
+  facts.validations.front().wrong_signs = 0;
+  facts.validations.front().displacement_outside.reset();
   facts.validations.front().outside_why = {"it is longer than the bodies of the fit",
                                            "its pressures are beyond those of the fit"};
   EXPECT_NE(

@@ -30,12 +30,23 @@ TEST(ShownQuantity, WritesNoShareWithAPowerOfTen) {
 
 TEST(ShownQuantity, SpeaksOfOneBodyLength) {
   EXPECT_EQ(body_lengths(3.9e-5), "0 body lengths");
-  EXPECT_EQ(degrees(1.2), "1 degree");
-  EXPECT_EQ(degrees(-1.2), "-1 degree");
-  EXPECT_EQ(degrees(-0.3), "0 degrees");
   EXPECT_EQ(body_lengths(1.033), "1 body length");
   EXPECT_EQ(body_lengths(0.319), "0.32 body lengths");
   EXPECT_EQ(body_lengths(2.25), "2.2 body lengths");
+}
+
+TEST(ShownQuantity, DegreesAreWhole) {
+  EXPECT_EQ(degrees(1.2), "1 degree");
+  EXPECT_EQ(degrees(-1.2), "-1 degree");
+  EXPECT_EQ(degrees(-0.3), "0 degrees");
+  EXPECT_EQ(degrees(179.6), "180 degrees");
+}
+
+TEST(ShownQuantity, SafePressuresAreNotRoundedToUnsafeOnes) {
+  EXPECT_EQ(rounded_towards_rest(4879.0), 4870.0);
+  EXPECT_EQ(rounded_towards_rest(-427.9), -427.0);
+  EXPECT_EQ(rounded_towards_rest(4870.0), 4870.0) << "what is rounded stays";
+  EXPECT_EQ(pascals_towards_rest(12345.0), "12300 Pa");
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ TEST(Formatted, CountsInWords) {
   EXPECT_EQ(counted(1, "chamber"), "1 chamber");
   EXPECT_EQ(counted(0, "chamber"), "0 chambers");
   EXPECT_EQ(counted(12, "boundary face"), "12 boundary faces");
+  EXPECT_EQ(counted(2, "body", "bodies"), "2 bodies");
+  EXPECT_EQ(counted(1, "body", "bodies"), "1 body");
 }
 
 }  // namespace

@@ -270,25 +270,40 @@ TEST(CommandStudy, FolderThatTheUserNamesTakesTheStudiesToo) {
   const CommandStudy derived = command_study(robot.file, RobotStudy::simulate, folder / "mine");
   EXPECT_EQ(derived.study, folder / "mine/studies/simulate.toml");
   EXPECT_EQ(derived.folder, folder / "mine");
+  const CommandStudy validate = command_study(robot.file, RobotStudy::validate, folder / "mine");
+  EXPECT_NE(io::read_whole(validate.study).find("\"../curves\""), std::string::npos) << io::read_whole(validate.study);
   EXPECT_FALSE(fs::exists(folder / "results")) << "nothing is left beside a robot that one may only read";
 }
 
 TEST(CommandStudy, SaysWhichFitComesFirst) {
   const tests::TestFolder folder;
   static_cast<void>(robot_of(folder, "cell_edge_m = 0.012\nwall_thickness_m = 0.003\nsilicone = \"ecoflex_00_30\"\n"));
-  const auto first = [&](RobotStudy study) {
-    const std::string message = tests::message_of([&] { static_cast<void>(command_study(folder / "robot.toml", study)); });
-    const std::size_t until = message.find("--until ");
-    return until == std::string::npos ? "" : message.substr(until);
+  const auto made = [&](RobotStudy study, bool has_own_fit = false) {
+    return command_study(folder / "robot.toml", study, {}, has_own_fit).study;
   };
-  EXPECT_EQ(first(RobotStudy::simulate), "--until calibrate");
-  EXPECT_EQ(first(RobotStudy::validate), "--until calibrate");
-  EXPECT_EQ(first(RobotStudy::calibrate), "--until load_cases");
+  const auto expect = [&](RobotStudy study, const std::string& part) {
+    const std::string message = tests::message_of([&] { static_cast<void>(made(study)); });
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  expect(RobotStudy::simulate, "voxels have not been fitted to these cells: first menger loop ");
+  expect(RobotStudy::validate, " --until calibrate");
+  expect(RobotStudy::calibrate, " --until load_cases, or name a folder of curves with --curves");
   EXPECT_FALSE(fs::exists(folder / "results")) << "a refusal writes nothing";
+  EXPECT_EQ(made(RobotStudy::calibrate, true), folder / "results/studies/calibrate.toml") << "with --curves";
+  EXPECT_EQ(made(RobotStudy::validate, true), folder / "results/studies/validate.toml") << "with --parameters";
   fs::create_directories(folder / "results/load_cases");
-  EXPECT_EQ(first(RobotStudy::calibrate), "");
+  EXPECT_EQ(made(RobotStudy::calibrate), folder / "results/studies/calibrate.toml");
   io::write_whole(folder / "results/calibrate/parameters.toml", "");
-  EXPECT_EQ(first(RobotStudy::simulate), "");
+  EXPECT_EQ(made(RobotStudy::simulate), folder / "results/studies/simulate.toml");
+}
+
+TEST(CommandStudy, SaysHowToFitCellsAnewThatMengerKnows) {
+  const tests::TestFolder folder;
+  const Robot robot = robot_of(folder, dragon_skin_1cm);
+  const std::string message = tests::message_of([&] { static_cast<void>(command_study(robot.file, RobotStudy::calibrate)); });
+  EXPECT_NE(message.find("menger comes with voxels for these cells; to fit them anew, first menger loop "), std::string::npos);
+  EXPECT_NE(message.find(" --fit --until load_cases"), std::string::npos) << message;
+  EXPECT_NO_THROW(static_cast<void>(command_study(robot.file, RobotStudy::simulate)));
 }
 
 TEST(CommandStudy, SaysWhyARobotHasNoSuchStudy) {

@@ -130,7 +130,7 @@ TEST_F(ErrorsBesideParameters, WarnWhereNoValidationCoversABody) {
   body.pressure_Pa = {0.0, 3e3};
   const std::vector<std::string> driven = expected_error_text(known(), body, bar);
   EXPECT_TRUE(has_warning(driven, "pressure_Pa = 3000 is outside")) << io::joined(driven, "\n");
-  EXPECT_TRUE(driven.front().starts_with("expected error for a body of limbs, at least: ")) << driven.front();
+  EXPECT_TRUE(driven.front().starts_with("expected error for a body of limbs, if the fit covered it: ")) << driven.front();
   body = body_of_known_errors();
   body.chambers = meshes::ChamberLayout::per_phase;
   EXPECT_TRUE(has_warning(expected_error_text(known(), body, bar), "chambers"));
