@@ -67,6 +67,16 @@ bool have_one_direction(const FoundWalk& one, const FoundWalk& other) {
          meshes::angle_between(one.direction_deg(), other.direction_deg()) <= meshes::walk_limits::same_direction_deg;
 }
 
+/// Whether a body is its own mirror image along its walk: chance alone decides then which way it goes.
+bool is_symmetric_along(const FoundWalk& walk, const meshes::Robot& robot) {
+  return is_mirror_image(robot, std::abs(walk.x_m) >= std::abs(walk.y_m));
+}
+
+/// Whether two walks of different distances tell the direction of a walk.
+bool is_direction_known(const FoundWalk& coarser, const FoundWalk& finer, const meshes::Robot& robot) {
+  return have_one_direction(coarser, finer) && !is_symmetric_along(finer, robot);
+}
+
 std::string mesh_verdict(const FoundWalk& coarser, const FoundWalk& finer, const meshes::Robot& robot) {
   if (!are_as_long(coarser, finer)) return "Its walks on two meshes last differently long and are not compared.";
   if (coarser.fell_s && finer.fell_s) return "It falls over on finite elements of two meshes: it does not walk.";
@@ -83,11 +93,10 @@ std::string mesh_verdict(const FoundWalk& coarser, const FoundWalk& finer, const
            millimetres(finer.distance_m()) + on_meshes + ", and " + millimetres(none.distance_m()) +
            (none.fell_s ? " is a fall." : " is no walk.");
   }
-  if (have_one_direction(coarser, finer))
+  if (is_direction_known(coarser, finer, robot))
     return "The direction of its walk is known, its distance is not: " + both(coarser, finer) + on_meshes + ".";
-  const bool is_symmetric = is_mirror_image(robot, std::abs(finer.x_m) >= std::abs(finer.y_m));
   return "How it walks is not known: " + both(coarser, finer) + on_meshes + ". Chance decides such a walk" +
-         (is_symmetric ? "; a body that differs from its mirror image walks more surely." : ".");
+         (is_symmetric_along(finer, robot) ? "; a body that differs from its mirror image walks more surely." : ".");
 }
 
 std::string model_verdict(const FoundWalk& voxels, const FoundWalk& elements) {
@@ -100,13 +109,14 @@ std::string model_verdict(const FoundWalk& voxels, const FoundWalk& elements) {
 }
 
 /// What the walk of the surrogate is worth where finite elements of two meshes do not agree on theirs.
-std::string unknown_walk_verdict(const FoundWalk& voxels, const FoundWalk& coarser, const FoundWalk& finer) {
+std::string unknown_walk_verdict(const FoundWalk& voxels, const FoundWalk& coarser, const FoundWalk& finer,
+                                 const meshes::Robot& robot) {
   const std::string distance = millimetres(voxels.distance_m());
   if (voxels.fell_s) return "";  // told already
   if (!is_walk(voxels))
     return "The surrogate does not walk: it ends within " + percents(meshes::walk_limits::least_body_lengths) +
            " of its length from where it began.";
-  if (!have_one_direction(coarser, finer) || !are_as_long(voxels, finer))
+  if (!is_direction_known(coarser, finer, robot) || !are_as_long(voxels, finer))
     return "So the walk of the surrogate, " + distance + ", cannot be judged.";
   if (have_one_direction(voxels, finer))
     return "The surrogate goes that way, too; its distance, " + distance + ", cannot be judged.";
@@ -137,7 +147,7 @@ std::vector<std::string> walk_verdict(const fs::path& results, const meshes::Rob
   const auto finer = walk_of("locomote_finer", "locomotion.toml", "on finite elements of the finer mesh");
   if (elements && finer) add(mesh_verdict(*elements, *finer, robot));
   const bool is_known = !elements || !finer || agree(*elements, *finer);
-  if (voxels && !is_known) add(unknown_walk_verdict(*voxels, *elements, *finer));
+  if (voxels && !is_known) add(unknown_walk_verdict(*voxels, *elements, *finer, robot));
   if (const auto& reference = finer ? finer : elements; voxels && reference && is_known) add(model_verdict(*voxels, *reference));
   return lines;
 }

@@ -211,10 +211,11 @@ class LoopRun {
     const fs::path other = (places_.results / state_->robot()).lexically_normal();
     std::error_code error;
     const bool is_other = !state_->robot().empty() && io::is_file(other) && !fs::equivalent(other, file, error);
-    if (is_other)
+    if (is_other) {
       throw io::InputError(shown(places_.results) + ": has the results of " + shown(other) +
                            ", which this loop would replace: name another folder with -o, as in -o " +
                            shown(file.parent_path() / (file.stem().string() + "_results")));
+    }
     state_->set_robot(own);
   }
 

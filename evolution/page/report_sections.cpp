@@ -392,7 +392,7 @@ using BodyName = std::function<std::string(const std::string&)>;
 /// Where the largest error of a row lies: "the extent along z", with the load case where there are several.
 std::string worst_text(const io::CsvContents& summary, std::size_t row, bool has_cases) {
   const std::string observable = text_in(summary, row, "worst_observable");  // none in results of earlier versions
-  const std::string load_case = text_in(summary, row, "worst_case");
+  std::string load_case = text_in(summary, row, "worst_case");
   if (observable.empty()) return load_case;
   return io::displacement_words(observable) + (has_cases ? ", " + load_case : "");
 }
@@ -606,8 +606,9 @@ void name_models(const ReevaluationWords& words, PageTable& robots) {
   constexpr std::string_view speed = " (body lengths / min)";
   for (std::string& title : robots.columns) {
     for (const auto& [model, name] : {std::pair<std::string_view, std::string>{"surrogate", words.search},
-                                      std::pair<std::string_view, std::string>{"elements", words.elements}})
-      if (title.starts_with(model)) title = name + ":" + title.substr(model.size());
+                                      std::pair<std::string_view, std::string>{"elements", words.elements}}) {
+      if (title.starts_with(model)) title.replace(0, model.size(), name).insert(name.size(), ":");
+    }
     if (title.ends_with(":" + std::string(speed))) title.insert(title.size() - speed.size(), " speed");
     if (title == "angle (degrees)") title = "angle between both (degrees)";
     if (title.ends_with(": relative error")) title = words.search + ": error of the displacement (share)";

@@ -201,11 +201,10 @@ Tone tone_of_error(double median) {
 /// Of one body alone, whether the surrogate takes its shape well, as the loop judges it.
 /// @pre displacements have a median error
 Tone tone_of(const ValidationFacts& facts) {
-  if (facts.bodies == 1)
-    return meshes::is_shape_close(std::max(*facts.displacement.median, facts.displacement_outside.value_or(0.0)),
-                                  facts.wrong_signs)
-               ? Tone::good
-               : Tone::bad;
+  if (facts.bodies == 1) {
+    const double worse = std::max(*facts.displacement.median, facts.displacement_outside.value_or(0.0));
+    return meshes::is_shape_close(worse, facts.wrong_signs) ? Tone::good : Tone::bad;
+  }
   const Tone by_size = tone_of_error(*facts.displacement.median);
   return facts.wrong_signs > 0 ? std::max(by_size, Tone::caution) : by_size;
 }
@@ -222,11 +221,12 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
     const std::string outside = "all that was compared lies outside the range of its fit" + why_text(facts) + ".";
-    if (facts.displacement_outside && meshes::is_shape_close(*facts.displacement_outside, facts.wrong_signs))
+    if (facts.displacement_outside && meshes::is_shape_close(*facts.displacement_outside, facts.wrong_signs)) {
       return {
           Tone::caution,
           "The surrogate's shapes are " + io::percents(*facts.displacement_outside) + " off finite elements, though " + outside,
           facts.source};
+    }
     return {Tone::bad, "Do not trust the surrogate for this body: " + outside, facts.source};
   }
   if (!shapes.median) {
@@ -254,16 +254,18 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   text += ")";
   if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
   text += ".";
-  if (facts.wrong_signs > 0)
+  if (facts.wrong_signs > 0) {
     text += " " + std::to_string(facts.wrong_signs) + " of " + io::counted(facts.signs, "displacement", "displacements") +
             " of at least " + io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
             " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
+  }
   if (shapes.without_equilibrium > 0)
     text += " In " + io::counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
-  if (facts.outside > 0)
+  if (facts.outside > 0) {
     text += " " +
             io::counted(facts.outside, "number outside the range of the fit does", "numbers outside the range of the fit do") +
             " not count here" + (has_bodies ? "" : why_text(facts)) + ".";
+  }
   if (facts.bodies == 1 && tone_of(facts) == Tone::bad) text += " Do not trust the surrogate for this body.";
   return {tone_of(facts), text, facts.source};
 }

@@ -57,10 +57,11 @@ CommandStudy command_study(const fs::path& given, RobotStudy study, const fs::pa
 }
 
 void refuse_robot_file(const fs::path& given) {
-  if (is_robot_file(given))
+  if (is_robot_file(given)) {
     throw io::InputError(given.string() +
                          ": is the file of a robot, not a study of this command (--template prints one): menger loop " +
                          given.string() + " runs all stages that it asks for");
+  }
 }
 
 }  // namespace menger::meshes

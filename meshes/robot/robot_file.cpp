@@ -232,10 +232,11 @@ std::vector<std::string> notes_of(const Robot& robot, const io::TomlTable& top) 
   const bool is_held = robot.drive == RobotDrive::hold;
   if (is_held && has_key(top, "drive", "frequency_Hz"))
     notes.emplace_back("drive.frequency_Hz has no effect: with mode = \"hold\" the pressure stays");
-  if (is_held && robot.walks)
+  if (is_held && robot.walks) {
     notes.emplace_back(
         "it is filled once and keeps its pressure (drive.mode = \"hold\"), so that it does not walk; for a finger or a "
         "gripper set walk.present = false");
+  }
   if (!robot.walks && has_key(top, "walk", "duration_s"))
     notes.emplace_back("walk.duration_s has no effect: walk.present = false");
   const double stroke_s = 1.0 / robot.frequency_Hz;

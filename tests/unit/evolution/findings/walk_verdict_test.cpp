@@ -39,6 +39,9 @@ TEST_F(WalkVerdict, TellsADirectionThatIsKnownFromADistanceThatIsNot) {
   write_walk("locomote/locomotion.toml", -0.019, 0.0, "0.53");
   write_walk("locomote_finer/locomotion.toml", -0.030, 0.0, "0.85");
   write_walk("simulate/result.toml", -0.02, 0.0);
+  expect_has(verdict(), "How it walks is not known: 19 mm and 30 mm, 0 degrees apart on finite elements of two meshes. Chance");
+  expect_has(verdict(), "So the walk of the surrogate, 20 mm, cannot be judged.");
+  take_robot("122", "chambers = \"per-phase\"\n[drive]\nmode = \"antiphase\"\npressure_Pa = [0, 3000]\n");
   expect_has(verdict(), "The direction of its walk is known, its distance is not: 19 mm and 30 mm, 0 degrees apart on finite");
   expect_has(verdict(), "The surrogate goes that way, too; its distance, 20 mm, cannot be judged.");
   write_walk("simulate/result.toml", 0.02, 0.0);
