@@ -80,7 +80,7 @@ TEST_F(LoopProgram, RobotsAreStudiesOfTheOtherCommandsToo) {
   }
   const Outcome none = run({"calibrate", "mine/robot.toml"});
   EXPECT_EQ(none.code, 2);
-  expect_has(none.err, "load_cases: does not exist");
+  expect_has(none.err, "menger comes with voxels for these cells; to fit them anew, first menger loop mine/robot.toml --fit");
 }
 
 TEST_F(LoopProgram, GoesOnAfterCtrlC) {
