@@ -181,10 +181,9 @@ Finding calibration_finding(const CalibrationFacts& facts) {
   if (!facts.median_error)
     return {Tone::bad, "The calibration of the surrogate gave no result (" + with_reason(facts.status, facts.reason) + ").",
             facts.source};
-  std::string text = "The fitted surrogate is " + io::percents(*facts.median_error) +
-                     " off the finite elements it was fitted to (median of " +
-                     io::counted(facts.quantities, "quantity", "quantities") + " of " +
-                     io::counted(facts.cases, "load case", "load cases") + ")";
+  std::string text =
+      "The fitted surrogate is " + io::percents(*facts.median_error) + " off the finite elements it was fitted to (median of " +
+      io::counted(facts.quantities, "quantity", "quantities") + " of " + io::counted(facts.cases, "load case") + ")";
   if (facts.worst_error) text += "; the worst is " + io::percents(*facts.worst_error) + " off (" + facts.worst_case + ")";
   text += ".";
   if (facts.status != io::RunStatus::completed) text += " The fit ended early (" + with_reason(facts.status, facts.reason) + ").";
@@ -238,7 +237,7 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   const bool has_bodies = facts.bodies > 1;
   std::string text = "The surrogate's shapes are " + io::percents(*shapes.median) +
                      (shapes.median_m && !has_bodies ? " (" + io::millimetres(*shapes.median_m, 2) + ")" : "") +
-                     " off finite elements (median of " + io::counted(shapes.count, "displacement", "displacements") + " of " +
+                     " off finite elements (median of " + io::counted(shapes.count, "displacement") + " of " +
                      io::counted(facts.bodies, "body", "bodies") + ", inside the range of the fit";
   if (shapes.worst) {
     text += "; the worst is " + io::percents(*shapes.worst) + " off";
@@ -255,12 +254,12 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
   text += ".";
   if (facts.wrong_signs > 0) {
-    text += " " + std::to_string(facts.wrong_signs) + " of " + io::counted(facts.signs, "displacement", "displacements") +
-            " of at least " + io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
+    text += " " + std::to_string(facts.wrong_signs) + " of " + io::counted(facts.signs, "displacement") + " of at least " +
+            io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
             " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
   }
   if (shapes.without_equilibrium > 0)
-    text += " In " + io::counted(shapes.without_equilibrium, "state", "states") + " it found no equilibrium.";
+    text += " In " + io::counted(shapes.without_equilibrium, "state") + " it found no equilibrium.";
   if (facts.outside > 0) {
     text += " " +
             io::counted(facts.outside, "number outside the range of the fit does", "numbers outside the range of the fit do") +
@@ -454,8 +453,8 @@ std::vector<ElementWalks> element_walks(const std::vector<WalkFacts>& walks) {
 Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
   const auto& [one, other] = group.worst_pair;
   Finding finding{Tone::good, several_bodies ? one->name + ": " : "", one->source + ", " + other->source};
-  finding.text += io::counted(group.walks.size(), "walk", "walks") + " on finite elements, of one body driven alike (" +
-                  one->place + " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
+  finding.text += io::counted(group.walks.size(), "walk") + " on finite elements, of one body driven alike (" + one->place +
+                  " and " + other->place + (group.walks.size() > 2 ? " differ most" : "") +
                   "): " + speed_number(*one->per_minute) + " and " + speed_text(*other->per_minute);
   if (const auto angle_deg = angle_of(*one, *other)) finding.text += ", " + io::degrees(*angle_deg) + " apart";
   switch (group.worst) {
@@ -483,7 +482,7 @@ Finding element_walks_finding(const ElementWalks& group, bool several_bodies) {
 Finding ranking_finding(const RankingFacts& facts) {
   std::string text;
   Tone tone = Tone::caution;
-  const std::string of = std::to_string(facts.compared) + " of " + io::counted(facts.designs, "robot", "robots");
+  const std::string of = std::to_string(facts.compared) + " of " + io::counted(facts.designs, "robot");
   if (facts.spearman) {
     const IntervalFact& rank = *facts.spearman;
     text = "Over " + of + ", the rank correlation of the search's distances with those on finite elements is " +
@@ -517,8 +516,7 @@ Finding search_finding(const SearchFacts& facts, bool several) {
   const std::string begin = several ? "Search " + facts.source + ": " : "";
   if (!facts.last_fitness) {
     return {Tone::bad,
-            begin + "The search found no robot with a fitness in " + io::counted(facts.generations, "generation", "generations") +
-                ".",
+            begin + "The search found no robot with a fitness in " + io::counted(facts.generations, "generation") + ".",
             facts.source};
   }
   std::string text = begin + "The best robot of generation " + facts.last_generation + " has a fitness of " +

@@ -24,6 +24,7 @@
 #include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/moved_grid.h"
 #include "tests/support/test_folder.h"
 #include "voxel/picture/vtk_output.h"
 
@@ -36,20 +37,12 @@ constexpr std::size_t plenty = 1'000'000;
 
 /// A block of n x n x n cubes of edge 1 from the origin; a cube is left out where `hole` says so.
 vtkSmartPointer<vtkUnstructuredGrid> block(int n, bool hole, double shift_x, double displacement_x) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> moved;
-  moved->SetName("displacement_m");
-  moved->SetNumberOfComponents(3);
+  std::vector<tests::Place> rest_m;
   for (int z = 0; z <= n; ++z)
     for (int y = 0; y <= n; ++y)
-      for (int x = 0; x <= n; ++x) {
-        points->InsertNextPoint(x + shift_x, y, z);
-        moved->InsertNextTuple3(displacement_x, 0.0, 0.0);
-      }
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(moved);
+      for (int x = 0; x <= n; ++x) rest_m.push_back({x + shift_x, static_cast<double>(y), static_cast<double>(z)});
+  const auto moved_to = [&](const tests::Place& place) { return tests::Place{place[0] + displacement_x, place[1], place[2]}; };
+  const auto grid = tests::moved_grid(rest_m, moved_to, tests::PointsAre::at_rest);
   const auto at = [&](int x, int y, int z) { return static_cast<vtkIdType>((z * (n + 1) + y) * (n + 1) + x); };
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y)
