@@ -39,11 +39,13 @@
 #include "io/ranks/rank_program.h"
 #include "io/ranks/rank_team.h"
 #include "io/ranks/roll_call.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/walk_agreement.h"
 #include "meshes/robot/command_study.h"
 #include "voxel/scene/scene.h"
 
@@ -227,6 +229,16 @@ void print_expected_error(const Study& study, const VoxelErrors& errors, const m
   for (const std::string& line : expected_error_text(errors.known, calibrated, body)) std::cout << line << "\n";
 }
 
+/// Says so if the best robot of a search does not walk.
+void print_no_walk(const Study& study, double fitness) {
+  const auto walked = walked_body_lengths(study, fitness);
+  if (!walked || *walked >= menger::meshes::walk_limits::least_body_lengths) return;
+  std::cout << "note: the champion does not walk: at this speed it moves " << io::body_lengths(*walked) << " in the "
+            << io::shown(study.duration_s) << " s of an evaluation, and less than "
+            << io::shown(menger::meshes::walk_limits::least_body_lengths)
+            << " is no walk; give the search more generations or mutants\n";
+}
+
 /// @return whether there is a champion
 bool print_champion(const RunView& run, const Study& study, int last, const std::optional<VoxelErrors>& errors) {
   const std::optional<Champion> champion = champion_of(run, study, last, confirmations(study, *run.archive));
@@ -237,6 +249,7 @@ bool print_champion(const RunView& run, const Study& study, int last, const std:
   }
   std::cout << champion_text(*champion) << "\n";
   const DesignSummary& design = champion->design;
+  if (design.fitness) print_no_walk(study, *design.fitness);
   if (!design.outside_validity.empty())
     std::cout << "The champion is outside the range of validity of its model: " << design.outside_validity << "\n";
   if (errors && !uses_elements(study)) print_expected_error(study, *errors, design.individual.phenotype.body);

@@ -1,5 +1,6 @@
 #include "evolution/findings/loop_verdict.h"
 
+#include "evolution/findings/bend_verdict.h"
 #include "evolution/findings/contact_verdict.h"
 #include "evolution/findings/elements_verdict.h"
 #include "evolution/findings/pressure_verdict.h"
@@ -23,7 +24,10 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
     if (stages.contains("limit"))
       for (const std::string& line : pressure_verdict(results, robot, is_inflated, is_validated)) add(line);
     if (is_inflated) add(contact_verdict(results, robot, is_validated));
-    if (is_inflated && is_validated) add(elements_verdict(results, robot));
+    if (is_inflated && is_validated) {
+      add(elements_verdict(results, robot));
+      add(bend_verdict(results, robot));
+    }
     if (is_validated) add(shape_verdict(results));
     for (const std::string& line : walk_verdict(results, robot, stages)) add(line);
     if (stages.contains("evolve")) add(search_verdict(results, robot));

@@ -24,8 +24,11 @@ std::string search_text(const fs::path& results) {
 std::string search_verdict(const fs::path& results, const meshes::Robot& robot) {
   const std::string champion = log_line(log_of_search(results), champion_line);
   if (champion.empty()) return "";
+  const std::string note = "note: the champion ";
+  const std::string no_walk = log_line(log_of_search(results), note + "does not walk");
   return std::string("The best robot of the search") + (robot.evolves ? "" : ", which is not the body of this file") + ": " +
-         champion.substr(std::string(champion_line).size()) + ".";
+         champion.substr(std::string(champion_line).size()) + "." +
+         (no_walk.empty() ? "" : " It " + no_walk.substr(note.size()) + ".");
 }
 
 }  // namespace menger::evolution

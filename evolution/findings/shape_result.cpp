@@ -36,6 +36,7 @@ struct ShapeErrors {
   std::optional<double> volume{};
   bool is_inside = true;
   std::optional<double> displacement_beyond{};   ///< the median outside, where others lie inside
+  std::optional<double> volume_beyond{};         ///< likewise
   std::optional<double> displacement_m{};        ///< inside, or outside if nothing lies inside: the median in lengths
   std::optional<MissedDisplacement> furthest{};  ///< likewise: of the largest difference
   std::size_t signs = 0;
@@ -77,7 +78,10 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
     errors.is_inside = range == "inside";
     if (errors.displacement || errors.volume) break;
   }
-  if (errors.is_inside) errors.displacement_beyond = median("outside", "displacement");
+  if (errors.is_inside) {
+    errors.displacement_beyond = median("outside", "displacement");
+    errors.volume_beyond = median("outside", "volume");
+  }
   const io::CsvContents signs = io::read_csv(results / "validate/signs.csv");
   for (std::size_t row = 0; row < signs.row_count(); ++row) {
     errors.signs += signs.count(row, "count");
@@ -93,7 +97,9 @@ std::optional<ShapeErrors> shape_errors(const fs::path& results) {
 /// Where the errors lie that the medians inside the range of the fit do not tell of.
 std::string range_text(const ShapeErrors& errors) {
   if (!errors.is_inside) return ", all outside what the fit covers";
-  return errors.displacement_beyond ? "; " + percents(*errors.displacement_beyond) + " outside what the fit covers" : "";
+  if (!errors.displacement_beyond) return "";
+  return "; " + percents(*errors.displacement_beyond) + (errors.volume_beyond ? ", " + percents(*errors.volume_beyond) : "") +
+         " outside what the fit covers";
 }
 
 /// "37 %", and how much that is in millimetres where this is known: "37 % (0.68 mm)"
@@ -105,6 +111,16 @@ std::string median_text(const ShapeErrors& errors) {
 std::string furthest_text(const ShapeErrors& errors) {
   if (!errors.furthest) return "";
   return " by " + millimetres(errors.furthest->difference_m) + ", in " + errors.furthest->observable;
+}
+
+/// "26 % (1.3 mm) off in displacements, 38 % in chamber volume (medians), furthest off by 2.07 mm, in the height of the top"
+std::string medians_text(const ShapeErrors& errors) {
+  std::string text;
+  if (errors.displacement) text += median_text(errors) + " off in displacements";
+  if (errors.volume) text += (errors.displacement ? ", " : "") + percents(*errors.volume) + " in chamber volume";
+  text += " (medians)";
+  if (errors.furthest) text += ", furthest off" + furthest_text(errors);
+  return text + range_text(errors);
 }
 
 /// "6 of 36 displacements of at least 0.2 mm go the wrong way (the extent along y)": smaller ones have no way
@@ -122,11 +138,7 @@ std::string shape_text(const fs::path& results, const meshes::Robot& robot) {
   if (!errors->displacement && !errors->volume) return "the voxels have no equilibrium where they were compared";
   std::string text = robot.drive == meshes::RobotDrive::antiphase ? "shape of this body, all chambers at one pressure: "
                                                                   : "shape of this body: ";
-  if (errors->displacement) text += median_text(*errors) + " off in displacements";
-  if (errors->volume) text += (errors->displacement ? ", " : "") + percents(*errors->volume) + " in chamber volume";
-  text += " (medians)";
-  if (errors->furthest) text += ", furthest off" + furthest_text(*errors);
-  text += range_text(*errors);
+  text += medians_text(*errors);
   if (errors->wrong_signs > 0) text += "; " + wrong_way_text(*errors);
   if (const std::string compared = compared_text(results); !compared.empty()) text += "; " + compared;
   const std::string end = log_line(results / "logs/validate.txt", "note: robot_inflation: the surrogate ends after ");
@@ -140,15 +152,15 @@ std::string shape_verdict(const fs::path& results) {
   const ShapeErrors& errors = *found;
   const std::string compared = compared_text(results);
   if (!errors.displacement) return "The surrogate gives this body no shape that can be compared.";
-  const double worse = std::max(*errors.displacement, errors.displacement_beyond.value_or(0.0));
-  if (meshes::is_shape_close(worse, errors.wrong_signs)) {
+  const double displacement = std::max(*errors.displacement, errors.displacement_beyond.value_or(0.0));
+  const double volume = std::max(errors.volume.value_or(0.0), errors.volume_beyond.value_or(0.0));
+  if (meshes::is_shape_close(displacement, volume, errors.wrong_signs)) {
     std::string well = "The surrogate takes the shape of this body well";
     if (!errors.is_inside)
       well += ", " + median_text(errors) + " off in the median, though all that was compared lies outside what the fit covers";
     return well + (compared.empty() ? "." : ", " + compared + ".");
   }
-  std::string reasons = median_text(errors) + " off in the median" + range_text(errors);
-  if (errors.furthest) reasons += "; furthest off" + furthest_text(errors);
+  std::string reasons = medians_text(errors);
   if (errors.wrong_signs > 0) reasons += "; " + wrong_way_text(errors);
   if (!compared.empty()) reasons += "; " + compared;
   return "Do not trust the surrogate's shape of this body: " + reasons + ". See validate/worst.png.";

@@ -69,7 +69,6 @@ constexpr double usual_drives_Hz = 20.0;
 
 /// What the load cases of a fit have not, and a robot has.
 std::vector<std::string> gaps_of_fit(const meshes::Robot& robot) {
-  if (!robot.has_body() || robot.evolves) return {};
   std::vector<std::string> gaps;
   if (meshes::chamber_count(robot) > 1) gaps.emplace_back("it has several chambers, and the bodies of the fit have one each");
   const meshes::Polycube& body = robot.design.body;
@@ -87,7 +86,8 @@ std::string fast_drive_note(const meshes::Robot& robot) {
 
 }  // namespace
 
-std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places) {
+std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes::RobotPlaces& places, bool is_found) {
+  const bool has_known_body = robot.has_body() && (is_found || !robot.evolves);
   const fs::path file = parameters_of(robot, places);
   std::vector<std::string> lines{law_summary_of(robot), source_text(robot, file)};
   for (const std::string& note : robot.notes) lines.push_back("note: " + note);
@@ -100,7 +100,8 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
                            "\": there is no such file; " + io::joined(io::data_names(io::parameter_data), ", ") +
                            " come with menger");
     }
-    for (const std::string& gap : gaps_of_fit(robot)) lines.push_back("warning: the fit will not cover this body: " + gap);
+    for (const std::string& gap : has_known_body ? gaps_of_fit(robot) : std::vector<std::string>{})
+      lines.push_back("warning: the fit will not cover this body: " + gap);
     lines.push_back("expected error: not known before the fit" + std::string(measured_later));
     return lines;
   }
@@ -124,10 +125,8 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
   body.pressure_Pa = drive_pressure_Pa(robot);
   body.chambers = robot.chambers;
   const voxel::KnownErrors known = voxel::known_errors(body.parameters, file);
-  // A search that runs again may find another body than the one that it has found.
-  const std::vector<std::string> expected = robot.has_body() && !robot.evolves
-                                                ? expected_error_text(known, body, robot.design.body)
-                                                : expected_error_text(known, false);
+  const std::vector<std::string> expected =
+      has_known_body ? expected_error_text(known, body, robot.design.body) : expected_error_text(known, false);
   lines.insert(lines.end(), expected.begin(), expected.end());
   return lines;
 }

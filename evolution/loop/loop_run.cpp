@@ -221,17 +221,18 @@ class LoopRun {
 
   void tell_plan() {
     out_ << meshes::summary_of(robot_) << "; results in " << shown(places_.results) << '\n';
-    for (const std::string& line : forecast()) out_ << line << '\n';
+    for (const std::string& line : forecast(false)) out_ << line << '\n';
     for (const std::string& change : robot_changes(places_.results / "manifest.json", io::described_text(robot_)))
       out_ << "changed since the last finished run: " << change << '\n';
     out_ << std::flush;
   }
 
   /// What is to be expected of the robot, as far as it is known now: a fit and a validation tell more.
-  [[nodiscard]] std::vector<std::string> forecast() const {
+  /// @param is_found whether this run found the body of a robot that evolves
+  [[nodiscard]] std::vector<std::string> forecast(bool is_found) const {
     meshes::Robot body = robot_;
     meshes::take_champion(body, places_);
-    return loop_forecast(body, places_);
+    return loop_forecast(body, places_, is_found);
   }
 
   std::string label(std::size_t n) const {
@@ -555,7 +556,7 @@ class LoopRun {
 
   /// Leaves what came out for the report.
   void note_verdict() {
-    LoopVerdict noted{.lines = verdict(), .forecast = forecast()};
+    LoopVerdict noted{.lines = verdict(), .forecast = forecast(current_.contains("export"))};
     if (current_.contains("limit")) noted.softest_limit_Pa = softest_limit_Pa(places_.results, robot_);
     for (const LoopStage& stage : stages_) {
       if (stage.program == "menger-report") continue;

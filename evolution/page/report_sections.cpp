@@ -595,9 +595,7 @@ ReevaluationWords reevaluation_words(const CommandOutput& output) {
   if (search == nullptr) return words;
   words.measure = measure_words(*search);
   // The file has one set of columns, called surrogate, for whatever model decided the search.
-  const nlohmann::json* evaluation = object_of(*search, "evaluation");
-  if (evaluation != nullptr && text_of(parameters, "compare_with") == "search" && text_of(*evaluation, "model") != "voxels")
-    words.search = "search (" + elements_words(object_of(*search, "elements")) + ")";
+  if (compares_elements_of_search(parameters)) words.search = "search (" + elements_words(object_of(*search, "elements")) + ")";
   return words;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -134,6 +135,7 @@ ValidationFacts validation_facts(const CommandOutput& output, const CommandOutpu
     if (text_in(summary, row, "range") != "inside") {
       facts.outside += count_in(summary, row, "count") + count_in(summary, row, "without_equilibrium");
       if (kind == "displacement") facts.displacement_outside = number_in(summary, row, "median");
+      if (kind == "volume") facts.volume_outside = number_in(summary, row, "median");
       continue;
     }
     if (kind != "displacement" && kind != "volume") continue;
@@ -242,6 +244,7 @@ WalkFacts walk_facts(const CommandOutput& output) {
 
 RankingFacts ranking_facts(const CommandOutput& output) {
   RankingFacts facts{.source = file_of(output, "ranking.csv"), .best_design = {}};
+  if (compares_elements_of_search(nlohmann::json::parse(output.parameters, nullptr, false))) facts.compared_with = "the search";
   const io::CsvContents designs = io::read_csv(output.folder / "reevaluation.csv");
   facts.designs = designs.row_count();
   std::vector<double> errors;
@@ -290,7 +293,7 @@ SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandO
     evaluations += number_in(generations, row, "evaluations").value_or(0.0);
   }
   facts.evaluations = evaluations;
-  if (fitness.ends_with("_body_lengths") && facts.last_fitness && tables.walk_over_fitness)
+  if (facts.last_fitness && tables.walk_over_fitness)
     facts.is_walk = *facts.last_fitness * *tables.walk_over_fitness >= meshes::walk_limits::least_body_lengths;
   return facts;
 }

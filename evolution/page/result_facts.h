@@ -70,6 +70,7 @@ struct ValidationFacts {
   ErrorFact volume{};
   std::size_t outside = 0;                       ///< numbers outside the range of validity
   std::optional<double> displacement_outside{};  ///< median error of the displacements there
+  std::optional<double> volume_outside{};        ///< likewise of the chamber volumes
   std::vector<std::string> outside_why{};        ///< for people, why: "it is longer than the bodies of the fit"; each once
   std::size_t signs = 0;                         ///< displacements that are large enough to have a direction
   std::size_t wrong_signs = 0;                   ///< of these, those that go the other way in the surrogate
@@ -115,9 +116,9 @@ struct IntervalFact {
 /// What a re-evaluation says.
 struct RankingFacts {
   std::string source{};
-  std::string compared_with = "the surrogate";
-  std::size_t designs = 0;   ///< re-evaluated
-  std::size_t compared = 0;  ///< completed in both models
+  std::string compared_with = "the surrogate";  ///< or "the search", if finite elements decided it
+  std::size_t designs = 0;                      ///< re-evaluated
+  std::size_t compared = 0;                     ///< completed in both models
   std::optional<IntervalFact> spearman{};
   std::optional<std::size_t> within_45_deg{};
   std::optional<std::size_t> with_direction{};

@@ -61,9 +61,8 @@ SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<C
   SearchTables tables{.source = file_of(evolved, file.filename().string()),
                       .generations = io::parse_csv(generations_table(run).text(), file),
                       .lineage = std::nullopt};
-  const auto measured = measured_periods(study);
-  tables.is_of_period = measured.has_value();
-  tables.walk_over_fitness = measured ? study.duration_s / measured->period_s : 1.0;
+  tables.is_of_period = measured_periods(study).has_value();
+  tables.walk_over_fitness = walked_body_lengths(study, 1.0);
   take_exported_lineage(tables, io::content_hash(archive.study()), outputs);
   if (tables.lineage) return tables;
   tables.lineage_of = "the fittest robot";

@@ -181,6 +181,12 @@ StatedRun stated_run(const json& parameters) {
   return run;
 }
 
+bool compares_elements_of_search(const json& parameters) {
+  if (!parameters.is_object() || text_of(parameters, "compare_with") != "search") return false;
+  const json* evaluation = table_at(parameters, {"search", "evaluation"});
+  return evaluation != nullptr && text_of(*evaluation, "model") != "voxels";
+}
+
 bool are_of_one_body(const StatedRun& a, const StatedRun& b) {
   return a.body && a.body == b.body && agree(a.wall_thickness_m, b.wall_thickness_m) && agree(a.chambers, b.chambers) &&
          agree(a.silicone, b.silicone) && agree(a.law, b.law);

@@ -33,6 +33,10 @@ struct StatedRun {
 /// Reads them from the parameters of a manifest. Voxels have their walls and silicone from the parameters of their surrogate.
 StatedRun stated_run(const nlohmann::json& parameters);
 
+/// Returns whether a re-evaluation compares its finite elements with those that decided the search, not with a surrogate.
+/// @param parameters of its manifest
+bool compares_elements_of_search(const nlohmann::json& parameters);
+
 /// Returns whether two runs are of one body: both state the same cells, and their walls, chambers and silicone agree where both
 /// state them.
 bool are_of_one_body(const StatedRun& a, const StatedRun& b);

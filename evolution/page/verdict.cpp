@@ -201,8 +201,9 @@ Tone tone_of_error(double median) {
 /// @pre displacements have a median error
 Tone tone_of(const ValidationFacts& facts) {
   if (facts.bodies == 1) {
-    const double worse = std::max(*facts.displacement.median, facts.displacement_outside.value_or(0.0));
-    return meshes::is_shape_close(worse, facts.wrong_signs) ? Tone::good : Tone::bad;
+    const double displacement = std::max(*facts.displacement.median, facts.displacement_outside.value_or(0.0));
+    const double volume = std::max(facts.volume.median.value_or(0.0), facts.volume_outside.value_or(0.0));
+    return meshes::is_shape_close(displacement, volume, facts.wrong_signs) ? Tone::good : Tone::bad;
   }
   const Tone by_size = tone_of_error(*facts.displacement.median);
   return facts.wrong_signs > 0 ? std::max(by_size, Tone::caution) : by_size;
@@ -216,17 +217,27 @@ std::string why_text(const ValidationFacts& facts) {
   return facts.outside_why.empty() ? "" : ": " + io::joined(facts.outside_why, "; ");
 }
 
+/// " 6 of 36 displacements of at least 0.2 mm go the wrong way: extent y (5 of 5)."; empty if none does.
+std::string wrong_signs_text(const ValidationFacts& facts) {
+  if (facts.wrong_signs == 0) return "";
+  return " " + std::to_string(facts.wrong_signs) + " of " + io::counted(facts.signs, "displacement") + " of at least " +
+         io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
+         " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
+}
+
 Finding finding_on_shapes(const ValidationFacts& facts) {
   const ErrorFact& shapes = facts.displacement;
   if (is_all_outside(facts)) {
     const std::string outside = "all that was compared lies outside the range of its fit" + why_text(facts) + ".";
-    if (facts.displacement_outside && meshes::is_shape_close(*facts.displacement_outside, facts.wrong_signs)) {
-      return {
-          Tone::caution,
-          "The surrogate's shapes are " + io::percents(*facts.displacement_outside) + " off finite elements, though " + outside,
-          facts.source};
-    }
-    return {Tone::bad, "Do not trust the surrogate for this body: " + outside, facts.source};
+    if (!facts.displacement_outside) return {Tone::bad, "Do not trust the surrogate for this body: " + outside, facts.source};
+    const std::string errors = io::percents(*facts.displacement_outside) + " off finite elements (median)" +
+                               (facts.volume_outside ? ", its volumes " + io::percents(*facts.volume_outside) : "");
+    if (meshes::is_shape_close(*facts.displacement_outside, facts.volume_outside.value_or(0.0), facts.wrong_signs))
+      return {Tone::caution, "The surrogate's shapes are " + errors + ", though " + outside, facts.source};
+    return {Tone::bad,
+            "Do not trust the surrogate for this body: its shapes are " + errors + "." + wrong_signs_text(facts) + " Also, " +
+                outside,
+            facts.source};
   }
   if (!shapes.median) {
     return {
@@ -253,11 +264,7 @@ Finding finding_on_shapes(const ValidationFacts& facts) {
   text += ")";
   if (facts.volume.median) text += ", its volumes " + io::percents(*facts.volume.median);
   text += ".";
-  if (facts.wrong_signs > 0) {
-    text += " " + std::to_string(facts.wrong_signs) + " of " + io::counted(facts.signs, "displacement") + " of at least " +
-            io::millimetres(meshes::smallest_signed_m) + (facts.wrong_signs == 1 ? " goes" : " go") +
-            " the wrong way: " + io::joined(facts.wrong_ways, ", ") + ".";
-  }
+  text += wrong_signs_text(facts);
   if (shapes.without_equilibrium > 0)
     text += " In " + io::counted(shapes.without_equilibrium, "state") + " it found no equilibrium.";
   if (facts.outside > 0) {
@@ -413,13 +420,19 @@ WalkJudgement judge_pair(const WalkFacts& elements, const WalkFacts& surrogate, 
                       " it does not walk. Do not trust the surrogate for the walk of this body.");
 }
 
+/// Whether two walks can be compared: of one body driven alike, and equally long. One that ended early can be told of beside a
+/// whole one.
+bool are_comparable(const WalkFacts& a, const WalkFacts& b) {
+  return are_one_walk(a.stated, b.stated) && (!has_walked(a) || !has_walked(b) || meshes::last_as_long(a.time_s, b.time_s));
+}
+
 /// Whether two walks go the same way, however far.
 bool have_one_direction(const WalkFacts& a, const WalkFacts& b) {
   const auto angle_deg = angle_of(a, b);
   return angle_deg && *angle_deg <= meshes::walk_limits::same_direction_deg;
 }
 
-/// Walks of one body on finite elements, driven alike: their meshes or time steps differ.
+/// Walks of one body on finite elements, driven alike and equally long: their meshes or time steps differ.
 struct ElementWalks {
   std::vector<const WalkFacts*> walks;
   meshes::WalkAgreement worst = meshes::WalkAgreement::alike;  ///< of any two of them
@@ -435,7 +448,7 @@ std::vector<ElementWalks> element_walks(const std::vector<WalkFacts>& walks) {
   for (const WalkFacts& walk : walks) {
     if (walk.model != WalkModel::elements || !has_walked(walk)) continue;
     auto group = std::ranges::find_if(groups, [&](const ElementWalks& known) {
-      return std::ranges::all_of(known.walks, [&](const WalkFacts* other) { return are_one_walk(walk.stated, other->stated); });
+      return std::ranges::all_of(known.walks, [&](const WalkFacts* other) { return are_comparable(walk, *other); });
     });
     if (group == groups.end()) group = groups.insert(groups.end(), ElementWalks{.walks = {}});
     for (const WalkFacts* other : group->walks) {
@@ -485,8 +498,8 @@ Finding ranking_finding(const RankingFacts& facts) {
   const std::string of = std::to_string(facts.compared) + " of " + io::counted(facts.designs, "robot");
   if (facts.spearman) {
     const IntervalFact& rank = *facts.spearman;
-    text = "Over " + of + ", the rank correlation of the search's distances with those on finite elements is " +
-           io::formatted("%.2f", rank.value);
+    text = "Over " + of + ", the rank correlation of the distances of " + facts.compared_with +
+           " with those on finite elements is " + io::formatted("%.2f", rank.value);
     const bool has_interval = rank.low && rank.high;
     if (has_interval)
       text += " (95 % interval " + io::formatted("%.2f", *rank.low) + " to " + io::formatted("%.2f", *rank.high) + ")";
@@ -506,7 +519,7 @@ Finding ranking_finding(const RankingFacts& facts) {
   if (facts.within_45_deg && facts.with_direction && *facts.with_direction > 0)
     text += " " + std::to_string(*facts.within_45_deg) + " of " + std::to_string(*facts.with_direction) +
             " go the same way within 45 degrees.";
-  if (facts.median_error) text += " Displacements are " + io::percents(*facts.median_error) + " off (median).";
+  if (facts.median_error) text += " Its displacements are " + io::percents(*facts.median_error) + " off (median).";
   if (facts.best_per_minute)
     text += " The best on finite elements is " + facts.best_design + ", with " + speed_text(*facts.best_per_minute) + ".";
   return {tone, text, facts.source};
@@ -536,7 +549,7 @@ Finding modes_finding(const ModesFacts& facts) {
   return {Tone::good, "The lowest natural frequency is " + shown_number(*facts.first_frequency_Hz) + " Hz.", facts.source};
 }
 
-/// Two walks of one body, driven alike, in both models.
+/// Two walks of one body, driven alike and equally long, in both models.
 using WalkPair = std::pair<const WalkFacts*, const WalkFacts*>;
 
 std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
@@ -544,18 +557,18 @@ std::vector<WalkPair> pairs_of(const std::vector<WalkFacts>& walks) {
   for (const WalkFacts& elements : walks) {
     if (elements.model != WalkModel::elements) continue;
     for (const WalkFacts& other : walks)
-      if (other.model != WalkModel::elements && are_one_walk(elements.stated, other.stated))
-        pairs.emplace_back(&elements, &other);
+      if (other.model != WalkModel::elements && are_comparable(elements, other)) pairs.emplace_back(&elements, &other);
   }
   return pairs;
 }
 
 /// What walks say of the surrogate.
 struct WalkTrust {
-  bool were_compared = false;     ///< whether a body walks in both models, driven alike
-  bool are_in_both = false;       ///< whether there are walks in both models, of whatever bodies
-  bool are_known = true;          ///< whether finite elements agree among themselves on every walk
-  std::optional<Tone> trusted{};  ///< the worst of all comparisons; nothing if they say nothing
+  bool were_compared = false;         ///< whether a body walks in both models, driven alike
+  bool are_in_both = false;           ///< whether there are walks in both models, of whatever bodies
+  bool are_known = true;              ///< whether finite elements agree among themselves on every walk
+  std::optional<Tone> trusted{};      ///< the worst of all comparisons; nothing if they say nothing
+  std::vector<std::string> bodies{};  ///< the bodies of which that is said
 };
 
 /// A median error that is more than this times the expected one is told.
@@ -623,7 +636,10 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
         groups, [&, walk = elements](const ElementWalks& group) { return group.has(*walk) && !group.are_known(); });
     const WalkJudgement judged = judge_pair(*elements, *surrogate, is_known, label_of(*elements, facts.walks));
     findings.push_back(judged.finding);
-    if (judged.surrogate) trust.trusted = trust.trusted ? std::max(*trust.trusted, *judged.surrogate) : *judged.surrogate;
+    if (!judged.surrogate || (trust.trusted && *judged.surrogate < *trust.trusted)) continue;
+    if (trust.trusted != judged.surrogate) trust.bodies.clear();
+    trust.trusted = judged.surrogate;
+    if (std::ranges::find(trust.bodies, elements->name) == trust.bodies.end()) trust.bodies.push_back(elements->name);
   }
   for (const WalkFacts& walk : facts.walks) {
     const bool is_paired =
@@ -650,10 +666,11 @@ WalkTrust add_walks(const ReportFacts& facts, std::vector<Finding>& findings) {
   if (!has_other && facts.robot_walks) findings.push_back(missing("A walk in the surrogate", "simulate"));
   trust.are_in_both = has_elements && has_other;
   if (trust.are_in_both && pairs.empty()) {
-    findings.push_back({Tone::missing,
-                        "No body walks in both models with the same walls, silicone, drive and friction, so the walks cannot be "
-                        "compared.",
-                        "menger simulate, menger locomote"});
+    findings.push_back(
+        {Tone::missing,
+         "No body walks in both models with the same walls, silicone, drive and friction for the same time, so the "
+         "walks cannot be compared.",
+         "menger simulate, menger locomote"});
   }
   return trust;
 }
@@ -707,15 +724,17 @@ Tone worse_of(Tone a, Tone b) {
 }
 
 /// The sentence of the headline on rankings. @param worst of all
-std::string ranking_headline(Tone worst, bool several) {
-  if (worst == Tone::good)
-    return several ? "The searches' rankings hold on finite elements." : "The search's ranking holds on finite elements.";
-  if (worst == Tone::bad) {
-    return several ? "Not every search's ranking holds on finite elements."
-                   : "The search's ranking does not hold on finite elements.";
+std::string ranking_headline(Tone worst, const std::vector<RankingFacts>& rankings) {
+  if (rankings.size() > 1) {
+    if (worst == Tone::good) return "The rankings of robots hold on finite elements.";
+    return worst == Tone::bad ? "Not every ranking of robots holds on finite elements."
+                              : "The rankings of robots are to be checked on finite elements, robot by robot.";
   }
-  return several ? "The searches' rankings are to be checked on finite elements, robot by robot."
-                 : "The search's ranking is to be checked on finite elements, robot by robot.";
+  std::string ranking = rankings.front().compared_with + "'s ranking of robots ";
+  ranking.front() = 'T';  // the surrogate, the search
+  if (worst == Tone::good) return ranking + "holds on finite elements.";
+  return ranking +
+         (worst == Tone::bad ? "does not hold on finite elements." : "is to be checked on finite elements, robot by robot.");
 }
 
 /// The sentence of the headline on shapes. @param worst of all validations
@@ -723,6 +742,20 @@ std::string shape_headline(Tone worst, bool were_walks_compared) {
   const std::string walks = were_walks_compared ? "its walks say nothing." : "its walks were not compared.";
   if (worst == Tone::good) return "The surrogate's shapes can be used; " + walks;
   return (worst == Tone::caution ? "The surrogate's shapes are rough; " : "Do not trust the surrogate's shapes; ") + walks;
+}
+
+/// The sentence of the headline on walks that both models make. It names their bodies where the page tells of others, too.
+std::string walk_headline(const ReportFacts& facts, const WalkTrust& walks) {
+  const bool has_one_body = are_of_one_body(facts.walks) && facts.rankings.empty() && facts.searches.empty();
+  const std::string bodies = io::joined(walks.bodies);
+  const bool several = walks.bodies.size() > 1;
+  if (*walks.trusted == Tone::good)
+    return has_one_body ? "The surrogate walks as finite elements do."
+                        : "With " + bodies + ", the surrogate walks as finite elements do.";
+  if (*walks.trusted == Tone::caution)
+    return "The surrogate tells where " + (has_one_body ? "this body walks" : bodies + (several ? " walk" : " walks")) +
+           ", not how fast: let finite elements decide.";
+  return "Do not trust the surrogate for the walk of " + (has_one_body ? "this body" : bodies) + ": let finite elements decide.";
 }
 
 /// The sentence of the headline on how far the surrogate can be trusted. @param before what the headline says already
@@ -736,15 +769,12 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
                                    ? "How some bodies walk is not known: finite elements do not agree among themselves."
                                    : "How this body walks is not known: finite elements do not agree among themselves.");
   }
-  if (walks.trusted) {
-    if (*walks.trusted == Tone::good) return conclude(Tone::good, "The surrogate walks as finite elements do.");
-    return conclude(*walks.trusted, *walks.trusted == Tone::caution
-                                        ? "The surrogate tells where this body walks, not how fast: let finite elements decide."
-                                        : "Do not trust the surrogate for the walk of this body: let finite elements decide.");
-  }
   Tone ranking = Tone::missing;
   for (const RankingFacts& one : facts.rankings) ranking = worse_of(ranking, ranking_finding(one).tone);
-  if (!facts.rankings.empty()) return conclude(ranking, ranking_headline(ranking, facts.rankings.size() > 1));
+  std::string on_ranking;
+  if (!facts.rankings.empty()) on_ranking = conclude(ranking, ranking_headline(ranking, facts.rankings));
+  if (walks.trusted) return conclude(*walks.trusted, walk_headline(facts, walks)) + (on_ranking.empty() ? "" : " " + on_ranking);
+  if (!on_ranking.empty()) return on_ranking;
   Tone shapes = Tone::missing;
   for (const ValidationFacts& one : facts.validations)
     if (one.displacement.median) shapes = worse_of(shapes, tone_of(one));
@@ -826,8 +856,8 @@ std::vector<std::string> judging_words() {
   return {
       "Shapes of several bodies can be relied on up to a median error of " + io::percents(judged_by::good_error) +
           ", and not above " + io::percents(judged_by::usable_error) + ". Those of one body, such as a robot in a loop, up to " +
-          io::percents(meshes::largest_shape_error) + ", if no displacement of " + io::millimetres(meshes::smallest_signed_m) +
-          " and more goes the wrong way.",
+          io::percents(meshes::largest_shape_error) + " in displacements and in chamber volumes, if no displacement of " +
+          io::millimetres(meshes::smallest_signed_m) + " and more goes the wrong way.",
       "A pressure is safe up to " + io::percents(meshes::largest_safe_share) +
           " of the limit pressure; above, small faults of a cast wall decide. Thin walls put it " +
           meshes::thin_wall_excess_text() + " too high, so that " +

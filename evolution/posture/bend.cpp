@@ -41,6 +41,22 @@ MovedPoints read_points(const fs::path& first, const fs::path& last) {
   return points;
 }
 
+/// Points that a file has where they are now, with their displacement from rest.
+MovedPoints read_deformed_points(const fs::path& file) {
+  const auto now = read_frame_grid(file);
+  vtkDataArray* moved = now->GetPointData()->GetArray("displacement_m");
+  if (moved == nullptr) throw io::InputError(file.string() + ": has no displacement_m at its points");
+  MovedPoints points;
+  for (vtkIdType n = 0; n < now->GetNumberOfPoints(); ++n) {
+    Place place{};
+    now->GetPoint(n, place.data());
+    points.now_m.push_back(place);
+    for (std::size_t axis = 0; axis < 3; ++axis) place.at(axis) -= moved->GetComponent(n, static_cast<int>(axis));
+    points.rest_m.push_back(place);
+  }
+  return points;
+}
+
 Bend bend_of(const MovedPoints& points, double cell_edge_m) {
   const std::size_t longest = longest_axis(points);
   const MovedPoints far = points_near_end(points, longest, true, 0.0);
@@ -59,6 +75,17 @@ Bend bend_of(const MovedPoints& points, double cell_edge_m) {
   return bend;
 }
 
+/// Reads points in a process of its own, since a damaged file can crash the library that reads it.
+template <class Read>
+Bend bend_in_child(const fs::path& file, double cell_edge_m, Read read) {
+  const std::string told = io::read_in_child(file, "VTK", [&] {
+    const Bend bend = bend_of(read(), cell_edge_m);
+    return two_numbers(bend.sideways_m, bend.along_m);
+  });
+  const auto [sideways_m, along_m] = two_numbers_in(told);
+  return Bend{.sideways_m = sideways_m, .along_m = along_m};
+}
+
 }  // namespace
 
 std::optional<Bend> bend_in_inflation(const fs::path& folder, double cell_edge_m) {
@@ -69,12 +96,25 @@ std::optional<Bend> bend_in_inflation(const fs::path& folder, double cell_edge_m
   });
   std::ranges::stable_sort(states, {}, &io::CollectionEntry::time_s);
   if (states.size() < 2) return std::nullopt;
-  const std::string told = io::read_in_child(folder / states.front().file, "VTK", [&] {
-    const Bend bend = bend_of(read_points(folder / states.front().file, folder / states.back().file), cell_edge_m);
-    return two_numbers(bend.sideways_m, bend.along_m);
-  });
-  const auto [sideways_m, along_m] = two_numbers_in(told);
-  return Bend{.sideways_m = sideways_m, .along_m = along_m};
+  const fs::path first = folder / states.front().file;
+  return bend_in_child(first, cell_edge_m, [&] { return read_points(first, folder / states.back().file); });
+}
+
+std::optional<ComparedBend> bend_in_validation(const fs::path& folder, std::size_t row, double cell_edge_m) {
+  if (!io::is_file(folder / "worst.pvd")) return std::nullopt;
+  const std::vector<io::CollectionEntry> states = io::read_collection(folder / "worst.pvd");
+  const auto bend = [&](int part) -> std::optional<Bend> {
+    const auto state = std::ranges::find_if(states, [&](const io::CollectionEntry& one) {
+      return one.part == part && one.time_s == static_cast<double>(row) && is_within(folder / one.file, folder);
+    });
+    if (state == states.end()) return std::nullopt;
+    const fs::path file = folder / state->file;
+    return bend_in_child(file, cell_edge_m, [&] { return read_deformed_points(file); });
+  };
+  const std::optional<Bend> elements = bend(0);
+  const std::optional<Bend> voxels = elements ? bend(1) : std::nullopt;
+  if (!voxels) return std::nullopt;
+  return ComparedBend{.elements = *elements, .voxels = *voxels};
 }
 
 }  // namespace menger::evolution

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -19,5 +20,18 @@ struct Bend {
 /// @param cell_edge_m > 0
 /// @throws io::InputError if the fields cannot be read or are damaged
 std::optional<Bend> bend_in_inflation(const std::filesystem::path& folder, double cell_edge_m);
+
+/// The bend of one body in both models.
+struct ComparedBend {
+  Bend elements;
+  Bend voxels;
+};
+
+/// Returns how a body bends in both models in a state of a validation (worst.pvd), measured as that of an inflation; nothing if
+/// both are not there.
+/// @param folder of the validation: no file outside of it is read
+/// @param row of the curve of the state, from 0 @param cell_edge_m > 0
+/// @throws io::InputError if the fields cannot be read or are damaged
+std::optional<ComparedBend> bend_in_validation(const std::filesystem::path& folder, std::size_t row, double cell_edge_m);
 
 }  // namespace menger::evolution

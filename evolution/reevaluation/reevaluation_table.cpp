@@ -153,12 +153,19 @@ std::string layers_text(const meshes::Polycube& body) {
   return text;
 }
 
+/// The model whose numbers are under the columns called surrogate: "voxels", or the elements of the search, "draft elements".
+std::string model_under(const ReevaluationStudy& study) {
+  if (!study.compares_elements()) return "voxels";
+  const fem::ElementChoice& elements = study.search.silicone.elements;
+  return std::string(elements.kind == fem::ElementKind::thin_wall ? to_string(elements.fidelity) : "three_field") + " elements";
+}
+
 }  // namespace
 
 io::CsvTable reevaluation_table(const ReevaluationStudy& study, const ReevaluationFindings& findings) {
   std::vector<std::string> columns{"design", "individual", "rank", "selection", "cells"};
   columns.push_back("fitness_" + std::string(fitness_unit(study.search.search.objective)));
-  add(columns, "surrogate_", {"status", "outside_validity"});
+  add(columns, "surrogate_", {"model", "status", "outside_validity"});
   add(columns, "surrogate_", motion_columns());
   add(columns, "surrogate_", {"least_dz_m"});
   add(columns, "elements_", {"status", "reason", "time_s"});
@@ -174,8 +181,9 @@ io::CsvTable reevaluation_table(const ReevaluationStudy& study, const Reevaluati
     const LocomotionRun& elements = evaluated.elements;
     Row row;
     add_name(row, study, evaluated.design);
-    row.insert(row.end(), {io::cell(std::uint64_t{evaluated.design.body.count()}), io::cell(evaluated.design.fitness),
-                           io::cell(io::to_string(surrogate.status)), io::cell(surrogate.outside_validity)});
+    row.insert(row.end(),
+               {io::cell(std::uint64_t{evaluated.design.body.count()}), io::cell(evaluated.design.fitness),
+                io::cell(model_under(study)), io::cell(io::to_string(surrogate.status)), io::cell(surrogate.outside_validity)});
     add_motion(row, study, surrogate.displacement_m);
     row.push_back(io::cell(lowest_rise_m(evaluated.surrogate.trajectory)));
     row.insert(row.end(), {io::cell(status_word(elements)), io::cell(elements.reason), io::cell(elements.time_s)});

@@ -127,6 +127,12 @@ std::optional<LastPeriods> measured_periods(const Study& study) {
   return LastPeriods{.period_s = study.physics.actuation.period_s(), .count = study.measure_periods};
 }
 
+std::optional<double> walked_body_lengths(const Study& study, double fitness) {
+  if (fitness_unit(study.search.objective) != "body_lengths") return std::nullopt;
+  const auto measured = measured_periods(study);
+  return measured ? fitness * study.duration_s / measured->period_s : fitness;
+}
+
 bool tells_falls(const Study& study) {
   return uses_elements(study) && study.measure == Measure::last_periods && study.largest_lean_deg < 180.0;
 }

@@ -108,6 +108,9 @@ bool is_of_silicone(const Study& study);
 /// Returns the periods that the evaluator measures; nothing if it measures the net displacement.
 std::optional<LastPeriods> measured_periods(const Study& study);
 
+/// Returns the body lengths that a fitness makes over a whole evaluation; nothing if the objective is not in body lengths.
+std::optional<double> walked_body_lengths(const Study& study, double fitness);
+
 /// Returns whether a body of a study that has fallen has no fitness.
 bool tells_falls(const Study& study);
 

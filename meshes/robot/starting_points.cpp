@@ -43,7 +43,8 @@ mode = "antiphase"
 pressure_Pa = [0, 4000]
 )"},
     StartingPoint{"finger",
-                  "a finger: a bar of nine cells with bellows on top, whose end bends 14 mm sideways at 12 kPa; it does not walk",
+                  "a finger: a bar of nine cells with bellows on top, whose end bends 14 mm sideways at 12 kPa, of which a "
+                  "softer silicone bears less; it does not walk",
                   R"(
 [robot]
 layers = [["111111111"], ["101010101"]]

@@ -71,6 +71,12 @@ TEST_F(StageFinding, TellsWhichRobotASearchFoundAndWhatItsElementsRefused) {
   robot_.evolves = true;
   expect_has(verdict(), "The best robot of the search: individual 3");
   io::write_whole(folder_ / "logs/evolve.txt",
+                  "Champion: individual 3, 5 cells; 0.01 in the search\nnote: the champion does not walk: at this speed it moves "
+                  "0.05 body lengths\nNext: menger export\n");
+  EXPECT_EQ(verdict(),
+            "The best robot of the search: individual 3, 5 cells; 0.01 in the search. It does not walk: at this speed it moves "
+            "0.05 body lengths.");
+  io::write_whole(folder_ / "logs/evolve.txt",
                   "note: finite elements refused 2 of 11 bodies\nChampion: individual 3, 5 cells\nNext: menger export\n");
   EXPECT_EQ(found("evolve"), "Champion: individual 3, 5 cells; finite elements refused 2 of 11 bodies");
 }

@@ -16,6 +16,7 @@
 #include "io/process/exit_code.h"
 #include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
+#include "io/text/joined_text.h"
 #include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
@@ -529,6 +530,19 @@ TEST_F(LoopRunTest, FirstLinesRepeatTheExpectedErrorOfSimulate) {
   EXPECT_NE(out_.str().find("\nlaw: initial shear modulus "), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("(dragon_skin_10_1cm.toml)"), std::string::npos) << out_.str();
   EXPECT_NE(out_.str().find("expected error for a plate on legs: "), std::string::npos) << out_.str();
+}
+
+TEST_F(LoopRunTest, SaysWhatToExpectOfTheBodyThatASearchFound) {
+  change("layers = [[\"1111\"]]", "design = \"evolve\"");
+  const std::string table = "layers = [[\\\"000\\\", \\\"101\\\", \\\"000\\\"], [\\\"111\\\", \\\"111\\\", \\\"111\\\"]]\\n";
+  write_program("export", "printf \"name = \\\"c\\\"\\ncell_edge_m = 0.01\\n" + table + "\" > export/champion.toml");
+  write_program("report", "echo page > report.html");
+  ASSERT_EQ(run(), io::exit_code::done) << out_.str();
+  const std::optional<LoopVerdict> verdict = read_loop_verdict(folder_ / "results");
+  ASSERT_TRUE(verdict);
+  const std::string of_found = io::joined(verdict->forecast, "\n");
+  EXPECT_NE(of_found.find("\nexpected error for a plate on legs: "), std::string::npos) << of_found;
+  EXPECT_EQ(out_.str().find("expected error for a plate on legs: "), std::string::npos) << "the search may find any body";
 }
 
 TEST_F(LoopRunTest, FirstLinesWarnOfParametersForOtherCells) {

@@ -28,6 +28,16 @@ ReportFacts two_walks(double elements, double elements_deg, double surrogate, do
   return facts;
 }
 
+/// Walks of one body on finite elements of two meshes and in the surrogate.
+ReportFacts walks_of_two_meshes(double coarse, double coarse_deg, double fine, double fine_deg) {
+  ReportFacts facts;
+  facts.walks = {walk(WalkModel::elements, coarse, coarse_deg), walk(WalkModel::elements, fine, fine_deg),
+                 walk(WalkModel::surrogate, 1.0, 0.0)};
+  facts.walks[0].place = "locomote";
+  facts.walks[1].place = "locomote_finer";
+  return facts;
+}
+
 /// The finding that has a text; an empty one if none has.
 Finding finding_with(const Verdict& verdict, const std::string& text) {
   const auto found = std::ranges::find_if(verdict.findings,
@@ -246,6 +256,39 @@ TEST(Verdict, TrustsASurrogateThatWalksAlike) {
   EXPECT_EQ(finding.source, "locomote/locomotion.toml, simulate/result.toml");
 }
 
+TEST(Verdict, NamesTheBodiesThatWalkInBothModelsWhereThePageHasOthers) {
+  ReportFacts facts = two_walks(0.8, 0.0, 0.8, 0.0);
+  facts.rankings = {{.designs = 3, .compared = 3, .spearman = IntervalFact{0.5, {}, {}}}};
+  const Verdict ranked = verdict_of(facts);
+  EXPECT_EQ(ranked.headline,
+            "With table, the surrogate walks as finite elements do. The surrogate's ranking of robots is to be checked on finite "
+            "elements, robot by robot.");
+  EXPECT_EQ(ranked.tone, Tone::caution);
+  facts.rankings.clear();
+  for (const double surrogate : {0.8, 2.0, 0.8}) {  // alike, too fast
+    ReportFacts other = two_walks(0.8, 0.0, surrogate, 0.0);
+    for (WalkFacts& one : other.walks) {
+      one.name = surrogate > 1.0 ? "bench" : "chair";
+      one.stated.body = ManifestBody{.layers = {{surrogate > 1.0 ? "11" : "111"}}, .cell_edge_m = 0.012};
+      facts.walks.push_back(one);
+    }
+    const std::string expected = surrogate > 1.0 || facts.walks.size() > 4
+                                     ? "The surrogate tells where bench walks, not how fast: let finite elements decide."
+                                     : "With table, chair, the surrogate walks as finite elements do.";
+    EXPECT_EQ(verdict_of(facts).headline, expected);
+  }
+}
+
+TEST(Verdict, ComparesOnlyWalksThatLastEquallyLong) {
+  ReportFacts facts = two_walks(0.8, 0.0, 0.8, 0.0);
+  facts.walks[0].time_s = 5.0;
+  EXPECT_NE(finding_with(verdict_of(facts), "No body walks in both models").text, "");
+  ReportFacts meshes = walks_of_two_meshes(0.1, -176.0, 0.32, 0.0);
+  EXPECT_NE(finding_with(verdict_of(meshes), "chance decides").text, "");
+  meshes.walks[0].time_s = 5.0;
+  EXPECT_EQ(finding_with(verdict_of(meshes), "chance decides").text, "");
+}
+
 TEST(Verdict, DoesNotTrustASurrogateThatGoesAnotherWay) {
   const Verdict verdict = verdict_of(two_walks(0.8, 170.0, 0.8, -60.0));
   EXPECT_EQ(verdict.headline, "Do not trust the surrogate for the walk of this body: let finite elements decide.");
@@ -450,11 +493,16 @@ TEST(Verdict, TrustsTheShapeOfOneBodyWhereTheLoopDoes) {
   EXPECT_EQ(finding_with(verdict_of(facts), "all that was compared lies outside").tone, Tone::bad);
   facts.validations.front().displacement_outside = 0.05;
   const Verdict close = verdict_of(facts);
-  EXPECT_EQ(finding_with(close, "The surrogate's shapes are 5 % off finite elements, though all that was compared").tone,
+  EXPECT_EQ(finding_with(close, "The surrogate's shapes are 5 % off finite elements (median), though all that was compared").tone,
             Tone::caution);
   EXPECT_EQ(close.headline.find("Do not trust"), std::string::npos) << close.headline;
+  facts.validations.front().volume_outside = 0.16;
+  EXPECT_EQ(finding_with(verdict_of(facts), "its shapes are 5 % off finite elements (median), its volumes 16 %. Also, all").tone,
+            Tone::bad);
+  facts.validations.front().volume_outside.reset();
+  facts.validations.front().signs = 4;
   facts.validations.front().wrong_signs = 1;
-  EXPECT_EQ(finding_with(verdict_of(facts), "all that was compared lies outside").tone, Tone::bad);
+  EXPECT_EQ(finding_with(verdict_of(facts), "1 of 4 displacements of at least 0.2 mm goes the wrong way").tone, Tone::bad);
   facts.validations.front().wrong_signs = 0;
   facts.validations.front().displacement_outside.reset();
   facts.validations.front().outside_why = {"it is longer than the bodies of the fit",
@@ -537,16 +585,6 @@ TEST(Verdict, TellsWalksOfOneBodyApartByTheirFolder) {
   EXPECT_TRUE(finding_with(verdict_of(facts), "It moves 0.8").text.starts_with("It moves"));
 }
 
-/// Walks of one body on finite elements of two meshes and in the surrogate.
-ReportFacts walks_of_two_meshes(double coarse, double coarse_deg, double fine, double fine_deg) {
-  ReportFacts facts;
-  facts.walks = {walk(WalkModel::elements, coarse, coarse_deg), walk(WalkModel::elements, fine, fine_deg),
-                 walk(WalkModel::surrogate, 1.0, 0.0)};
-  facts.walks[0].place = "locomote";
-  facts.walks[1].place = "locomote_finer";
-  return facts;
-}
-
 TEST(Verdict, SaysThatAWalkIsNotKnownWhereFiniteElementsDisagree) {
   const Verdict verdict = verdict_of(walks_of_two_meshes(0.1, -176.0, 0.32, 0.0));
   EXPECT_EQ(verdict.headline, "How this body walks is not known: finite elements do not agree among themselves.");
@@ -575,9 +613,12 @@ TEST(Verdict, CallsARankingChanceWhereItsIntervalReachesZero) {
   facts.rankings = {{.source = "reevaluate/ranking.csv", .designs = 8, .compared = 8, .spearman = IntervalFact{0.5, -0.3, 0.9}}};
   EXPECT_EQ(finding_with(verdict_of(facts), "0.50 (95 % interval -0.30 to 0.90): this can be chance.").tone, Tone::caution);
   facts.rankings.front().spearman = IntervalFact{0.8, 0.6, 0.9};
-  EXPECT_EQ(verdict_of(facts).headline, "The search's ranking holds on finite elements.");
+  EXPECT_EQ(verdict_of(facts).headline, "The surrogate's ranking of robots holds on finite elements.");
   facts.rankings.front().spearman = IntervalFact{0.2, 0.1, 0.3};
-  EXPECT_EQ(verdict_of(facts).headline, "The search's ranking does not hold on finite elements.");
+  EXPECT_EQ(verdict_of(facts).headline, "The surrogate's ranking of robots does not hold on finite elements.");
+  facts.rankings.front().compared_with = "the search";
+  EXPECT_EQ(verdict_of(facts).headline, "The search's ranking of robots does not hold on finite elements.");
+  EXPECT_NE(finding_with(verdict_of(facts), "the rank correlation of the distances of the search with those").text, "");
 }
 
 TEST(Verdict, SaysWhetherASearchImproved) {

@@ -22,15 +22,16 @@ namespace {
 
 using tests::Place;
 
-/// A bar of four cells of 1 m along x, of which each corner has moved. Points stay where they are at rest.
-vtkSmartPointer<vtkUnstructuredGrid> bar(const std::function<Place(const Place&)>& moved_to) {
+/// A bar of four cells of 1 m along x, of which each corner has moved.
+vtkSmartPointer<vtkUnstructuredGrid> bar(const std::function<Place(const Place&)>& moved_to,
+                                         tests::PointsAre points_are = tests::PointsAre::at_rest) {
   constexpr int cells = 4;
   std::vector<Place> corners;
   for (int x = 0; x <= cells; ++x) {
     for (const auto& [y, z] : std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}})
       corners.push_back({static_cast<double>(x), y, z});
   }
-  auto grid = tests::moved_grid(corners, moved_to, tests::PointsAre::at_rest);
+  auto grid = tests::moved_grid(corners, moved_to, points_are);
   for (vtkIdType n = 0; n < 4 * cells; n += 4) {
     const std::array<vtkIdType, 8> ids{n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7};
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
@@ -103,6 +104,24 @@ TEST_F(BendTest, NeedsTwoStates) {
   write(bent);
   io::write_collection(folder_ / "fields.pvd", {{0.0, "rest.vtu"}});
   EXPECT_FALSE(bend_in_inflation(folder_, 1.0));
+}
+
+TEST_F(BendTest, IsToldOfBothModelsOfAValidation) {
+  EXPECT_FALSE(bend_in_validation(folder_, 0, 1.0));
+  const auto half_bent = [](const Place& place) {
+    const Place whole = bent(place);
+    return Place{0.5 * (place[0] + whole[0]), place[1], 0.5 * (place[2] + whole[2])};
+  };
+  io::write_vtu(folder_ / "elements.vtu", *bar(bent, tests::PointsAre::moved));
+  io::write_vtu(folder_ / "voxels.vtu", *bar(half_bent, tests::PointsAre::moved));
+  io::write_collection(folder_ / "worst.pvd", {{2.0, "elements.vtu", 0}, {2.0, "voxels.vtu", 1}, {3.0, "elements.vtu", 0}});
+  const auto bend = bend_in_validation(folder_, 2, 1.0);
+  ASSERT_TRUE(bend);
+  EXPECT_NEAR(bend->elements.sideways_m, 0.18, 1e-9);
+  EXPECT_NEAR(bend->elements.along_m, 0.3, 1e-9);
+  EXPECT_NEAR(bend->voxels.sideways_m, 0.09, 1e-9);
+  EXPECT_FALSE(bend_in_validation(folder_, 1, 1.0));
+  EXPECT_FALSE(bend_in_validation(folder_, 3, 1.0)) << "the surrogate has no such state";
 }
 
 }  // namespace

@@ -219,5 +219,16 @@ TEST_F(SiliconeStudy, NamesTheFilesThatDecideIt) {
             (std::vector<fs::path>{folder_ / "study.toml", materials::silicone_of_menger("dragon_skin_10").value()}));
 }
 
+TEST_F(SiliconeStudy, TellsHowFarAFitnessWalks) {
+  EXPECT_EQ(walked_body_lengths(read(), 0.3), 0.3);
+  const Study periods =
+      read(changed("duration_s = 0.05", "duration_s = 0.15", walking_study_text("measure = \"last_periods\"\n")));
+  const double walked = walked_body_lengths(periods, 0.02).value_or(0.0);
+  EXPECT_DOUBLE_EQ(walked, 0.02 * 0.15 / periods.physics.actuation.period_s());
+  Study area = periods;
+  area.search.objective = Objective::squared_metres_per_scale;
+  EXPECT_FALSE(walked_body_lengths(area, 0.02));
+}
+
 }  // namespace
 }  // namespace menger::evolution
