@@ -27,16 +27,6 @@ std::string air_text(double growth) {
   return io::formatted("%.0f", 100.0 * std::abs(growth - 1.0)) + (growth < 1.0 ? " % less air" : " % more air");
 }
 
-/// The pressure furthest from 0 in the last state of an inflation.
-double last_pressure_Pa(const std::vector<InflatedChamber>& chambers) {
-  double last_Pa = 0.0;
-  for (const InflatedChamber& chamber : chambers) {
-    if (!chamber.pressures_Pa.empty() && std::abs(chamber.pressures_Pa.back()) > std::abs(last_Pa))
-      last_Pa = chamber.pressures_Pa.back();
-  }
-  return last_Pa;
-}
-
 /// How far what does not walk bends: "; the middle of its far end moves 14 mm sideways, seen from the near one". Empty for what
 /// walks, whose inflation stands on the ground.
 std::string bend_text(const fs::path& results, const meshes::Robot& robot) {
@@ -50,6 +40,19 @@ std::string bend_text(const fs::path& results, const meshes::Robot& robot) {
 }
 
 }  // namespace
+
+std::optional<double> last_pressure_Pa(const io::CsvContents& curves) {
+  std::optional<double> lowest_Pa;
+  std::optional<double> highest_Pa;
+  for (const std::string& column : curves.columns()) {
+    if (!column.ends_with("_pressure_Pa") || curves.row_count() == 0) continue;
+    const auto pressure_Pa = curves.optional_number(curves.row_count() - 1, column);
+    if (!pressure_Pa) continue;
+    lowest_Pa = std::min(lowest_Pa.value_or(*pressure_Pa), *pressure_Pa);
+    highest_Pa = std::max(highest_Pa.value_or(*pressure_Pa), *pressure_Pa);
+  }
+  return lowest_Pa && *lowest_Pa < 0.0 ? lowest_Pa : highest_Pa;
+}
 
 std::vector<InflatedChamber> chambers_in(const io::CsvContents& curves) {
   std::vector<InflatedChamber> chambers;
@@ -95,7 +98,7 @@ std::string inflation_end(const fs::path& results, const meshes::Robot& robot) {
   if (!result) return "";
   std::string end = early_end(*result);
   if (end.empty() || !io::is_file(results / "inflate/curves.csv")) return end;
-  const double last_Pa = last_pressure_Pa(chambers_in(io::read_csv(results / "inflate/curves.csv")));
+  const double last_Pa = last_pressure_Pa(io::read_csv(results / "inflate/curves.csv")).value_or(0.0);
   if (result->text("status") == "wall_contact") return "walls of a chamber touch at " + driven_text(robot, last_Pa);
   return end + ", at " + driven_text(robot, last_Pa);
 }
@@ -103,7 +106,7 @@ std::string inflation_end(const fs::path& results, const meshes::Robot& robot) {
 std::optional<double> contact_pressure_Pa(const fs::path& results) {
   const auto result = table_at(results / "inflate/result.toml");
   if (!result || result->text("status") != "wall_contact" || !io::is_file(results / "inflate/curves.csv")) return std::nullopt;
-  return last_pressure_Pa(chambers_in(io::read_csv(results / "inflate/curves.csv")));
+  return last_pressure_Pa(io::read_csv(results / "inflate/curves.csv"));
 }
 
 std::string inflation_text(const fs::path& results, const meshes::Robot& robot) {

@@ -16,6 +16,10 @@ struct InflatedChamber {
   std::vector<double> volumes_m3;
 };
 
+/// Returns the pressure of the last state in curves.csv of an inflation: of several plena that in which a vacuum can make walls
+/// touch, or else the highest. Nothing without states.
+std::optional<double> last_pressure_Pa(const io::CsvContents& curves);
+
 /// Returns the chambers in curves.csv of an inflation.
 std::vector<InflatedChamber> chambers_in(const io::CsvContents& curves);
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "evolution/findings/inflation_result.h"
 #include "evolution/page/report_numbers.h"
 #include "evolution/page/search_tables.h"
 #include "evolution/posture/fall.h"
@@ -24,21 +25,6 @@ namespace {
 
 std::vector<std::string> lines_of(const io::TomlTable& table, const char* key) {
   return table.has(key) ? table.texts(key) : std::vector<std::string>();
-}
-
-/// The pressure of the last state of an inflation: of several plena that in which a vacuum can make walls touch, or else the
-/// highest.
-std::optional<double> last_pressure_Pa(const io::CsvContents& curves) {
-  std::optional<double> lowest_Pa;
-  std::optional<double> highest_Pa;
-  for (const std::string& column : curves.columns()) {
-    if (!column.ends_with("_pressure_Pa") || curves.row_count() == 0) continue;
-    const auto pressure_Pa = number_in(curves, curves.row_count() - 1, column);
-    if (!pressure_Pa) continue;
-    lowest_Pa = std::min(lowest_Pa.value_or(*pressure_Pa), *pressure_Pa);
-    highest_Pa = std::max(highest_Pa.value_or(*pressure_Pa), *pressure_Pa);
-  }
-  return lowest_Pa && *lowest_Pa < 0.0 ? lowest_Pa : highest_Pa;
 }
 
 InflationFacts inflation_facts(const CommandOutput& output) {

@@ -21,7 +21,7 @@ struct InflationFacts {
   std::string reason{};
   std::optional<double> highest_pressure_Pa{};  ///< of an equilibrium that was found
   std::optional<double> lowest_pressure_Pa{};   ///< likewise
-  std::optional<double> last_pressure_Pa{};     ///< of the last equilibrium: that of its plena which is least, or else furthest
+  std::optional<double> last_pressure_Pa{};     ///< of the last equilibrium, see the function of this name
   std::optional<meshes::LimitPressure> limit{};
   std::optional<double> volume_growth{};  ///< of the plenum that grows most, at the highest pressure or the strongest vacuum if
                                           ///< there is no other, as a fraction
