@@ -1,19 +1,15 @@
 #include "evolution/findings/bend_verdict.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
+#include "evolution/findings/compared_inflation.h"
 #include "evolution/findings/elements_verdict.h"
 #include "evolution/findings/inflation_result.h"
 #include "evolution/findings/result_files.h"
 #include "evolution/posture/bend.h"
 #include "io/shown/shown_quantity.h"
-#include "io/text/csv_table.h"
 #include "io/text/input_error.h"
-#include "io/text/is_file.h"
 #include "meshes/load_cases/shape_agreement.h"
 
 namespace menger::evolution {
@@ -26,14 +22,9 @@ namespace {
 
 /// Both models of the stage validate at a pressure.
 std::optional<ComparedBend> compared_bend_at(const fs::path& results, double pressure_Pa, double cell_edge_m) {
-  constexpr double tolerance_Pa = 1.0;
-  const fs::path curve = results / "validate/curves/robot_inflation.csv";
-  if (!io::is_file(curve)) return std::nullopt;
-  const std::vector<double> pressures_Pa = io::read_csv(curve).numbers("pressure_Pa");
-  const auto reached =
-      std::ranges::find_if(pressures_Pa, [&](double state_Pa) { return std::abs(state_Pa - pressure_Pa) <= tolerance_Pa; });
-  if (reached == pressures_Pa.end()) return std::nullopt;
-  return bend_in_validation(results / "validate", static_cast<std::size_t>(reached - pressures_Pa.begin()), cell_edge_m);
+  const auto compared = compared_inflation(results);
+  const auto state = compared ? state_at(compared->compared_Pa, pressure_Pa) : std::nullopt;
+  return state ? bend_in_validation(results / "validate", *state, cell_edge_m) : std::nullopt;
 }
 
 /// What the difference of both models means.

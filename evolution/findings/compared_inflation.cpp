@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evolution/findings/inflation_result.h"
 #include "evolution/findings/result_files.h"
 #include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"
@@ -22,12 +23,9 @@ namespace {
 
 /// The first of the planned states on one side of rest that was not reached.
 std::optional<double> first_missed_Pa(const ComparedInflation& found, double way) {
-  constexpr double tolerance_Pa = 1.0;
   std::optional<double> first_Pa;
   for (const double planned_Pa : found.planned_Pa) {
-    const bool is_reached = std::ranges::any_of(
-        found.compared_Pa, [&](double compared_Pa) { return std::abs(compared_Pa - planned_Pa) <= tolerance_Pa; });
-    if (planned_Pa * way <= 0.0 || is_reached) continue;
+    if (planned_Pa * way <= 0.0 || state_at(found.compared_Pa, planned_Pa)) continue;
     if (!first_Pa || std::abs(planned_Pa) < std::abs(*first_Pa)) first_Pa = planned_Pa;
   }
   return first_Pa;

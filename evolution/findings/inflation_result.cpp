@@ -41,6 +41,17 @@ std::string bend_text(const fs::path& results, const meshes::Robot& robot) {
 
 }  // namespace
 
+bool are_of_one_state(double a_Pa, double b_Pa) {
+  constexpr double tolerance_Pa = 1.0;
+  return std::abs(a_Pa - b_Pa) <= tolerance_Pa;
+}
+
+std::optional<std::size_t> state_at(const std::vector<double>& pressures_Pa, double pressure_Pa) {
+  const auto found = std::ranges::find_if(pressures_Pa, [&](double state_Pa) { return are_of_one_state(state_Pa, pressure_Pa); });
+  if (found == pressures_Pa.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - pressures_Pa.begin());
+}
+
 std::optional<double> last_pressure_Pa(const io::CsvContents& curves) {
   std::optional<double> lowest_Pa;
   std::optional<double> highest_Pa;
@@ -66,15 +77,13 @@ std::vector<InflatedChamber> chambers_in(const io::CsvContents& curves) {
 }
 
 std::optional<ChamberGrowth> growth_at(const std::vector<InflatedChamber>& chambers, double pressure_Pa) {
-  constexpr double tolerance_Pa = 1.0;
   double at_rest_m3 = 0.0;
   double driven_m3 = 0.0;
   std::vector<double> growths;
   for (const InflatedChamber& chamber : chambers) {
-    const auto reached = std::ranges::find_if(chamber.pressures_Pa,
-                                              [&](double state_Pa) { return std::abs(state_Pa - pressure_Pa) <= tolerance_Pa; });
-    if (reached == chamber.pressures_Pa.end() || !(chamber.volumes_m3.front() > 0.0)) return std::nullopt;
-    const double volume_m3 = chamber.volumes_m3[static_cast<std::size_t>(reached - chamber.pressures_Pa.begin())];
+    const auto reached = state_at(chamber.pressures_Pa, pressure_Pa);
+    if (!reached || !(chamber.volumes_m3.front() > 0.0)) return std::nullopt;
+    const double volume_m3 = chamber.volumes_m3[*reached];
     at_rest_m3 += chamber.volumes_m3.front();
     driven_m3 += volume_m3;
     growths.push_back(volume_m3 / chamber.volumes_m3.front());

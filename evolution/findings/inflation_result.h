@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,12 @@ struct InflatedChamber {
   std::vector<double> pressures_Pa;
   std::vector<double> volumes_m3;
 };
+
+/// Returns whether two pressures are of one state: they differ by 1 Pa at most.
+bool are_of_one_state(double a_Pa, double b_Pa);
+
+/// Returns the first state that has a pressure; nothing if none has.
+std::optional<std::size_t> state_at(const std::vector<double>& pressures_Pa, double pressure_Pa);
 
 /// Returns the pressure of the last state in curves.csv of an inflation: of several plena that in which a vacuum can make walls
 /// touch, or else the highest. Nothing without states.

@@ -100,8 +100,9 @@ std::vector<std::string> loop_forecast(const meshes::Robot& robot, const meshes:
                            "\": there is no such file; " + io::joined(io::data_names(io::parameter_data), ", ") +
                            " come with menger");
     }
-    for (const std::string& gap : has_known_body ? gaps_of_fit(robot) : std::vector<std::string>{})
-      lines.push_back("warning: the fit will not cover this body: " + gap);
+    if (has_known_body) {
+      for (const std::string& gap : gaps_of_fit(robot)) lines.push_back("warning: the fit will not cover this body: " + gap);
+    }
     lines.push_back("expected error: not known before the fit" + std::string(measured_later));
     return lines;
   }

@@ -730,11 +730,10 @@ std::string ranking_headline(Tone worst, const std::vector<RankingFacts>& rankin
     return worst == Tone::bad ? "Not every ranking of robots holds on finite elements."
                               : "The rankings of robots are to be checked on finite elements, robot by robot.";
   }
-  std::string ranking = rankings.front().compared_with + "'s ranking of robots ";
-  ranking.front() = 'T';  // the surrogate, the search
-  if (worst == Tone::good) return ranking + "holds on finite elements.";
-  return ranking +
-         (worst == Tone::bad ? "does not hold on finite elements." : "is to be checked on finite elements, robot by robot.");
+  return sentence_of(rankings.front().compared_with + "'s ranking of robots " +
+                     (worst == Tone::good  ? "holds on finite elements"
+                      : worst == Tone::bad ? "does not hold on finite elements"
+                                           : "is to be checked on finite elements, robot by robot"));
 }
 
 /// The sentence of the headline on shapes. @param worst of all validations
