@@ -46,42 +46,80 @@ std::optional<SoftestLaw> softest_law(const meshes::Robot& robot, double limit_P
 /// "lower drive.pressure_Pa to 4870 Pa or less"
 std::string lower_to(double safe_Pa) { return "lower drive.pressure_Pa to " + io::pascals_towards_rest(safe_Pa) + " or less"; }
 
-/// What is known of a drive whose limit pressure is known, by the law of its file.
+/// The pressures between which a body balloons, and up to which it is safe, by the law of its file.
+struct OwnLimit {
+  double least_Pa = 0.0;
+  double most_Pa = 0.0;
+  std::string where;  ///< see where_at_limit
+  [[nodiscard]] double safe_Pa() const { return meshes::largest_safe_share * least_Pa; }
+  [[nodiscard]] std::string between() const { return kilopascals(least_Pa) + " to " + kilopascals(most_Pa); }
+};
+
 /// @param limit_Pa of thin walls, which the stages of the loop have
-std::string limit_verdict(const meshes::Robot& robot, double limit_Pa, const std::string& where) {
-  const double drive_Pa = drive_pressure_Pa(robot)[1];
-  const double least_Pa = meshes::least_limit_of_thin_walls_Pa(limit_Pa);
-  const double most_Pa = limit_Pa / (1.0 + meshes::least_thin_wall_excess);
-  const double safe_Pa = meshes::largest_safe_share * least_Pa;
-  const std::string between = kilopascals(least_Pa) + " to " + kilopascals(most_Pa);
-  if (drive_Pa > most_Pa)
-    return "It balloons at " + between + where + ", before the " + kilopascals(drive_Pa) + " of its drive: " + lower_to(safe_Pa) +
-           ".";
-  if (drive_Pa > safe_Pa)
-    return "Its pressure of " + kilopascals(drive_Pa) + " is near that at which it balloons, " + between + where + ": " +
-           lower_to(safe_Pa) + ".";
-  const std::optional<SoftestLaw> softest = softest_law(robot, least_Pa);
-  const bool is_by_one_law = softest && drive_Pa > meshes::largest_safe_share * softest->limit_Pa;
-  return "It bears its pressure of " + kilopascals(drive_Pa) +
-         (is_by_one_law ? " by its law (" + meshes::law_text(robot.law, robot.record) + "), " +
-                              (drive_Pa > softest->limit_Pa ? "not" : "hardly") + " by the softest of its silicone"
-                        : "") +
-         ": safe up to " + kilopascals(io::rounded_towards_rest(safe_Pa)) + ", 20 % below the " + between +
-         " at which it balloons" + where + ".";
+OwnLimit own_limit(double limit_Pa, const std::string& where) {
+  return {.least_Pa = meshes::least_limit_of_thin_walls_Pa(limit_Pa),
+          .most_Pa = limit_Pa / (1.0 + meshes::least_thin_wall_excess),
+          .where = where};
 }
 
-/// What the softest law of its silicone says of a drive; empty where the robot has that law.
-/// @param limit_Pa of thin walls, by the law of the robot
-std::string softest_verdict(const meshes::Robot& robot, double limit_Pa) {
-  const std::optional<SoftestLaw> softest = softest_law(robot, meshes::least_limit_of_thin_walls_Pa(limit_Pa));
-  if (!softest) return "";
-  const double drive_Pa = drive_pressure_Pa(robot)[1];
-  const double safe_Pa = meshes::largest_safe_share * softest->limit_Pa;
-  const std::string begin = "By the softest law of its silicone (" + softest->text + ") it ";
+/// "safe up to 4.84 kPa, 20 % below the 6.06 kPa to 6.41 kPa at which it balloons."
+std::string safe_text(const OwnLimit& own) {
+  return "safe up to " + kilopascals(io::rounded_towards_rest(own.safe_Pa())) + ", 20 % below the " + own.between() +
+         " at which it balloons" + own.where + ".";
+}
+
+/// What is known of a drive that the law of the file does not bear, or hardly.
+std::string overload_verdict(const OwnLimit& own, double drive_Pa) {
+  if (drive_Pa > own.most_Pa)
+    return "It balloons at " + own.between() + own.where + ", before the " + kilopascals(drive_Pa) +
+           " of its drive: " + lower_to(own.safe_Pa()) + ".";
+  return "Its pressure of " + kilopascals(drive_Pa) + " is near that at which it balloons, " + own.between() + own.where + ": " +
+         lower_to(own.safe_Pa()) + ".";
+}
+
+/// What the softest law says beside one that is told before.
+std::string softest_verdict(const SoftestLaw& softest, double drive_Pa) {
+  const double safe_Pa = meshes::largest_safe_share * softest.limit_Pa;
+  const std::string begin = "By the softest law of its silicone (" + softest.text + ") it ";
   if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(io::rounded_towards_rest(safe_Pa)) + ".";
-  const std::string test = ": test the silicone that you cast, or " + lower_to(safe_Pa) + ".";
-  if (drive_Pa > softest->limit_Pa) return begin + "balloons near " + kilopascals(softest->limit_Pa) + test;
-  return begin + "is near ballooning, " + percents(drive_Pa / softest->limit_Pa) + " of " + kilopascals(softest->limit_Pa) + test;
+  return begin +
+         (drive_Pa > softest.limit_Pa ? "balloons near "
+                                      : "is near ballooning, " + percents(drive_Pa / softest.limit_Pa) + " of ") +
+         kilopascals(softest.limit_Pa) + ": test the silicone that you cast, or " + lower_to(safe_Pa) + ".";
+}
+
+/// What both laws say of a drive. That which a body may not bear comes first: it is what a reader has to know.
+/// @param limit_Pa of thin walls, by the law of the robot
+std::vector<std::string> verdict_by_laws(const meshes::Robot& robot, double limit_Pa, const std::string& where) {
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  const OwnLimit own = own_limit(limit_Pa, where);
+  const std::optional<SoftestLaw> softest = softest_law(robot, own.least_Pa);
+  std::vector<std::string> lines;
+  if (drive_Pa > own.safe_Pa()) {
+    lines.push_back(overload_verdict(own, drive_Pa));
+    if (softest) lines.push_back(softest_verdict(*softest, drive_Pa));
+    return lines;
+  }
+  if (softest && drive_Pa > meshes::largest_safe_share * softest->limit_Pa) {
+    const bool balloons = drive_Pa > softest->limit_Pa;
+    lines.push_back("Your silicone decides whether it bears its pressure of " + kilopascals(drive_Pa) +
+                    ": by the softest law of " + robot.record.name + " (" + softest->text + ") " +
+                    (balloons ? "it balloons near " + kilopascals(softest->limit_Pa)
+                              : "that is " + percents(drive_Pa / softest->limit_Pa) + " of the " +
+                                    kilopascals(softest->limit_Pa) + " at which it balloons") +
+                    ". Test the silicone that you cast, or " + lower_to(meshes::largest_safe_share * softest->limit_Pa) + ".");
+    lines.push_back("By its own law (" + meshes::law_text(robot.law, robot.record) + ") it bears it, and is " + safe_text(own));
+    return lines;
+  }
+  lines.push_back("It bears its pressure of " + kilopascals(drive_Pa) + ": " + safe_text(own));
+  if (softest) lines.push_back(softest_verdict(*softest, drive_Pa));
+  return lines;
+}
+
+/// The line on the softest law alone, where the other law has no equilibrium to tell of; none where the robot has that law.
+void add_softest(const meshes::Robot& robot, double limit_Pa, std::vector<std::string>& lines) {
+  if (const auto softest = softest_law(robot, meshes::least_limit_of_thin_walls_Pa(limit_Pa)))
+    lines.push_back(softest_verdict(*softest, drive_pressure_Pa(robot)[1]));
 }
 
 /// That the body loses its equilibrium below the pressure of its drive on the elements of the validation; empty unless it does.
@@ -105,18 +143,18 @@ std::vector<std::string> pressure_verdict(const fs::path& results, const meshes:
                                           bool is_validated) {
   const double drive_Pa = drive_pressure_Pa(robot)[1];
   const auto limit_Pa = limit_pressure_Pa(results);
-  const auto by_both_laws = [&] {
-    return std::vector{limit_verdict(robot, *limit_Pa, where_at_limit(results, robot, *limit_Pa)),
-                       softest_verdict(robot, *limit_Pa)};
-  };
+  const auto by_both_laws = [&] { return verdict_by_laws(robot, *limit_Pa, where_at_limit(results, robot, *limit_Pa)); };
   if (limit_Pa && drive_Pa > *limit_Pa) return by_both_laws();
   const auto inflation = is_inflated ? table_at(results / "inflate/result.toml") : std::nullopt;
   if (!inflation || drive_Pa <= 0.0) return {};
   if (const std::string end = inflation_end(results, robot); !end.empty() && inflation->text("status") != "wall_contact")
     return {"Whether it bears its pressure is not known: its inflation ended before " + kilopascals(drive_Pa) + " (" + end +
             ")."};
-  if (std::string unstable = is_validated ? instability_verdict(results, robot, limit_Pa) : ""; !unstable.empty())
-    return {std::move(unstable), limit_Pa ? softest_verdict(robot, *limit_Pa) : ""};
+  if (std::string unstable = is_validated ? instability_verdict(results, robot, limit_Pa) : ""; !unstable.empty()) {
+    std::vector<std::string> lines{std::move(unstable)};
+    if (limit_Pa) add_softest(robot, *limit_Pa, lines);
+    return lines;
+  }
   if (!limit_Pa)
     return {"It bears its pressure. How far it is from ballooning is not known: " + limit_text(results, robot) + "."};
   return by_both_laws();

@@ -33,7 +33,7 @@ struct BodyRequest {
   std::string name;  ///< of the body in its scene
   std::vector<BodyFrame> frames;
   std::size_t most_bytes = 0;        ///< that surface and positions may take; frames are left out to keep to it
-  std::size_t most_frames = 120;     ///< likewise
+  std::size_t most_frames = 300;     ///< likewise
   bool has_phases = true;            ///< false: all cells are driven at once, and materials mean nothing
   std::optional<ManifestBody> body;  ///< whose cells give the materials, for files without them
   /// The edge of a cell of a body that floats free: it is shown as if held at its near end (see motion_of_near_end).

@@ -119,7 +119,8 @@ struct PageScene {
   std::string unit = "s";
   std::optional<double> ground_m{};  ///< height of the ground, if there is one
   std::vector<PageBody> bodies{};
-  std::optional<double> angle_deg{};  ///< between the walks of two bodies, where both walk
+  std::optional<double> angle_deg{};     ///< between the walks of two bodies, where both walk
+  std::optional<double> frequency_Hz{};  ///< of the drive
   std::string note{};
   std::string animation{};  ///< name of the file beside the page that shows the same; empty if there is none
 };

@@ -134,6 +134,7 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
     plans.push_back({.scene = {.title = "Walk of " + body_or_place(elements) + ": finite elements and " + walking(other).name,
                                .source = file_of(elements, "frames.pvd") + ", " + file_of(other, "frames.pvd"),
                                .angle_deg = both.angle_deg,
+                               .frequency_Hz = elements.stated.frequency_Hz,
                                .note = ends_text(both)},
                      .place = elements.name,
                      .parts = {walking(elements), walking(other)},
@@ -144,11 +145,12 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
     if ((!walks(output, "locomote") && !walks(output, "simulate")) || std::ranges::find(paired, &output) != paired.end())
       continue;
     const ScenePlan::Part part = walking(output);
-    single.push_back(
-        {.scene = {.title = "Walk of " + body_or_place(output) + ": " + part.name, .source = file_of(output, "frames.pvd")},
-         .place = output.name,
-         .parts = {part},
-         .on_ground = true});
+    single.push_back({.scene = {.title = "Walk of " + body_or_place(output) + ": " + part.name,
+                                .source = file_of(output, "frames.pvd"),
+                                .frequency_Hz = output.stated.frequency_Hz},
+                      .place = output.name,
+                      .parts = {part},
+                      .on_ground = true});
   }
   plans.insert(plans.end(), single.begin(), single.end());
 }
@@ -291,6 +293,21 @@ std::size_t bytes_of(const PageScene& scene) {
   return bytes;
 }
 
+/// That what is shown between the frames of a body is a guess, where it has few of them; otherwise empty.
+std::string guess_text(const PageBody& body, std::size_t frames, const std::optional<double>& frequency_Hz) {
+  constexpr double enough_per_stroke = 5.0;
+  std::string text = "Of " + body.name + ", ";
+  const double strokes = frequency_Hz.value_or(0.0) * (body.times.back() - body.times.front());
+  const double per_stroke = strokes > 0.0 ? static_cast<double>(body.times.size() - 1) / strokes : enough_per_stroke;
+  if (body.times.size() < frames)
+    text += std::to_string(body.times.size()) + " of " + std::to_string(frames) + " frames are shown";
+  else if (strokes > 1.0 && per_stroke < enough_per_stroke)
+    text += "there are " + io::shown(per_stroke, 2) + " frames in a stroke";
+  else
+    return "";
+  return text + "; between them the motion is a guess along straight lines.";
+}
+
 std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes, std::vector<std::string>& notes) {
   PageScene scene = plan.scene;
   const auto add_note = [&](const std::string& words) {
@@ -307,10 +324,8 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
                                       .has_phases = part.has_phases,
                                       .body = part.body,
                                       .held_cell_m = part.held_cell_m});
-      if (body.times.size() < found->frames.size()) {
-        add_note(std::to_string(body.times.size()) + " of " + std::to_string(found->frames.size()) +
-                 " frames are shown; between them the motion is a guess along straight lines.");
-      }
+      if (const std::string guessed = guess_text(body, found->frames.size(), scene.frequency_Hz); !guessed.empty())
+        add_note(guessed);
       if (!part.trajectory.empty()) body.travelled_m = travelled_m(part.trajectory, body.times);
       scene.bodies.push_back(std::move(body));
     } catch (const io::InputError& error) {

@@ -150,6 +150,13 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
                         growth + bend,
                     facts.source};
     if (is_vacuum) return finding;
+    if (!known.limit_Pa) {
+      finding.text += " How far this is from ballooning was not computed (path.volume_ratio, or menger loop)" +
+                      std::string(facts.stated.elements == "thin_wall"
+                                      ? ", and thin walls balloon " + meshes::thin_wall_excess_text() + " too late"
+                                      : "") +
+                      ".";
+    }
     if (known.limit_Pa && facts.highest_pressure_Pa) {
       const double share = *facts.highest_pressure_Pa / *known.limit_Pa;
       finding.tone = tone_of_share(share, known.safe);
@@ -161,7 +168,7 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
   if (facts.status == io::RunStatus::limit_point) {
     return {
         Tone::caution,
-        begin + "Usable up to " + reached + ". Beyond it no equilibrium was found (limit point): the body balloons or buckles.",
+        begin + "Inflated to " + reached + ". Beyond it no equilibrium was found (limit point): the body balloons or buckles.",
         facts.source};
   }
   if (facts.status == io::RunStatus::wall_contact) {
@@ -712,8 +719,11 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
   }
   if (!one.highest_pressure_Pa || *one.highest_pressure_Pa <= 0.0) return {};
   const std::string reached = io::kilopascals(*one.highest_pressure_Pa);
-  if (one.status == io::RunStatus::completed) return "Usable up to at least " + reached + ". ";
-  if (one.status == io::RunStatus::limit_point) return "Usable up to " + reached + ", where the body balloons or buckles. ";
+  const std::string safe = io::kilopascals(io::rounded_towards_rest(safe_share(one) * *one.highest_pressure_Pa));
+  if (one.status == io::RunStatus::completed)
+    return "Usable up to " + safe + " at least, 20 % or more below the " + reached + " to which it was inflated. ";
+  if (one.status == io::RunStatus::limit_point)
+    return "Usable up to " + safe + ", 20 % or more below " + reached + ", beyond which the body balloons or buckles. ";
   return "Known up to " + reached + " only. ";
 }
 
@@ -736,9 +746,19 @@ std::string ranking_headline(Tone worst, const std::vector<RankingFacts>& rankin
                                            : "is to be checked on finite elements, robot by robot"));
 }
 
+/// What a validation means for the shapes of the surrogate; missing if nothing was compared.
+Tone tone_of_shapes(const ValidationFacts& facts) {
+  if (facts.displacement.median) return tone_of(facts);
+  return is_all_outside(facts) && facts.displacement_outside ? finding_on_shapes(facts).tone : Tone::missing;
+}
+
 /// The sentence of the headline on shapes. @param worst of all validations
-std::string shape_headline(Tone worst, bool were_walks_compared) {
+std::string shape_headline(const ReportFacts& facts, Tone worst, bool were_walks_compared) {
   const std::string walks = were_walks_compared ? "its walks say nothing." : "its walks were not compared.";
+  const bool is_close_outside =
+      worst == Tone::caution && facts.validations.size() == 1 && is_all_outside(facts.validations.front());
+  if (is_close_outside)
+    return "The surrogate's shapes are close to finite elements, though outside the range of its fit; " + walks;
   if (worst == Tone::good) return "The surrogate's shapes can be used; " + walks;
   return (worst == Tone::caution ? "The surrogate's shapes are rough; " : "Do not trust the surrogate's shapes; ") + walks;
 }
@@ -775,9 +795,8 @@ std::string trust_headline(const ReportFacts& facts, const WalkTrust& walks, con
   if (walks.trusted) return conclude(*walks.trusted, walk_headline(facts, walks)) + (on_ranking.empty() ? "" : " " + on_ranking);
   if (!on_ranking.empty()) return on_ranking;
   Tone shapes = Tone::missing;
-  for (const ValidationFacts& one : facts.validations)
-    if (one.displacement.median) shapes = worse_of(shapes, tone_of(one));
-  if (shapes != Tone::missing) return conclude(shapes, shape_headline(shapes, walks.were_compared));
+  for (const ValidationFacts& one : facts.validations) shapes = worse_of(shapes, tone_of_shapes(one));
+  if (shapes != Tone::missing) return conclude(shapes, shape_headline(facts, shapes, walks.were_compared));
   if (walks.were_compared)
     return conclude(Tone::caution,
                     "Both models walk, but too little or too briefly to tell whether the surrogate can be trusted.");

@@ -140,7 +140,7 @@ class WalkPictures {
         }
       }
     }
-    pace_ = pace_of(to_ - from_);
+    pace_ = pace_of(to_ - from_, (to_ - from_) * scene.frequency_Hz.value_or(0.0));
   }
 
   [[nodiscard]] const AnimationPace& pace() const { return pace_; }
@@ -216,14 +216,19 @@ std::string walk_caption(const PageScene& scene, double time, int slower, double
   return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
 }
 
-AnimationPace pace_of(double duration_s) {
+AnimationPace pace_of(double duration_s, double strokes) {
   constexpr double least_s = 4.0;
-  constexpr std::size_t most_pictures = 120;
-  AnimationPace pace{.slower = 1, .pictures = 2, .pictures_per_s = 12.5};
-  while (pace.slower < 8 && duration_s * pace.slower < least_s) pace.slower *= 2;
-  const double wanted = std::max(2.0, std::ceil(duration_s * pace.slower * pace.pictures_per_s));
-  pace.pictures = wanted < static_cast<double>(most_pictures) ? static_cast<std::size_t>(wanted) : most_pictures;
-  if (pace.pictures == most_pictures) pace.pictures_per_s = static_cast<double>(most_pictures) / (duration_s * pace.slower);
+  constexpr double usual_per_s = 12.5;
+  constexpr double most_per_s = 25.0;
+  constexpr double pictures_per_stroke = 5.0;  // fewer show another motion than there is
+  constexpr double most_pictures = 250.0;
+  AnimationPace pace;
+  const double of_strokes = std::min(pictures_per_stroke * strokes, most_pictures);
+  const auto shown_s = [&] { return duration_s * pace.slower; };
+  while (pace.slower < 8 && (shown_s() < least_s || of_strokes > most_per_s * shown_s())) pace.slower *= 2;
+  const double pictures = std::clamp(std::max(std::ceil(usual_per_s * shown_s()), std::ceil(of_strokes)), 2.0, most_pictures);
+  pace.pictures = static_cast<std::size_t>(pictures);
+  pace.pictures_per_s = shown_s() > 0.0 ? pictures / shown_s() : usual_per_s;
   return pace;
 }
 

@@ -11,13 +11,14 @@
 
 namespace menger::evolution {
 
-/// How a motion is shown in time: a short one slower than it is, so that it can be followed.
+/// How a motion is shown in time: a short one, or one with fast strokes, slower than it is, so that it can be followed.
 struct AnimationPace {
   int slower = 1;               ///< how many times: 1, 2, 4 or 8
-  std::size_t pictures = 0;     ///< at most 120
-  double pictures_per_s = 0.0;  ///< 12.5
+  std::size_t pictures = 0;     ///< at most 250
+  double pictures_per_s = 0.0;  ///< 12.5, or up to 25 where strokes need it
 };
-AnimationPace pace_of(double duration_s);
+/// @param strokes of the drive in that time, of which each gets five pictures where there is room; 0 without a drive
+AnimationPace pace_of(double duration_s, double strokes);
 
 /// What became of an animation.
 struct AnimationOutcome {

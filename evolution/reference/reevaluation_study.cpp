@@ -5,6 +5,7 @@
 
 #include "evolution/study/study_file.h"
 #include "evolution/study/walk_evaluator.h"
+#include "fem/locomotion/locomotion_study.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
 #include "io/text/content_hash.h"
@@ -126,8 +127,9 @@ double usual_record_interval_s(const ReevaluationStudy& study) {
 }
 
 double usual_frame_interval_s(const ReevaluationStudy& study) {
-  const double records = ReevaluationStudy{}.frame_interval_s / study.record_interval_s;
-  return study.record_interval_s * std::max(1.0, std::round(records));
+  const double frequency_Hz = 1.0 / study.search.physics.actuation.period_s();
+  return study.record_interval_s *
+         static_cast<double>(fem::usual_records_per_frame(study.record_interval_s, study.duration_s, frequency_Hz));
 }
 
 /// Describes an interval. A file may leave it out: then it has its usual value.
@@ -166,11 +168,13 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
                     has_search, study.record_interval_s,
                     has_search ? io::within(study.duration_s / most_records, study.duration_s) : io::positive(),
                     [&] { return usual_record_interval_s(study); });
-  describe_interval(visitor,
-                    {"frame_interval_s", "Time between frames, a multiple of record_interval_s; default: about 0.1 s.", "0.1",
-                     "/frame_interval_s"},
-                    has_search, study.frame_interval_s, has_search ? io::at_least(study.record_interval_s) : io::positive(),
-                    [&] { return usual_frame_interval_s(study); });
+  describe_interval(
+      visitor,
+      {"frame_interval_s",
+       "Time between frames, a multiple of record_interval_s; default: an eighth of a stroke of the drive, at most 0.1 s.", "0.1",
+       "/frame_interval_s"},
+      has_search, study.frame_interval_s, has_search ? io::at_least(study.record_interval_s) : io::positive(),
+      [&] { return usual_frame_interval_s(study); });
   const std::string multiple = "must be a multiple of record_interval_s = " + io::number_text(study.record_interval_s);
   visitor.check(is_multiple(study.frame_interval_s, study.record_interval_s), "frame_interval_s", multiple);
   if (table == nullptr) return;

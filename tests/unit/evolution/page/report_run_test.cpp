@@ -487,13 +487,23 @@ TEST(ReportRun, FollowsNoFrameOutOfItsResults) {
 }
 
 TEST(AnimationPace, ShowsShortWalksSlower) {
-  EXPECT_EQ(pace_of(5.0).slower, 1);
-  EXPECT_EQ(pace_of(2.0).slower, 2);
-  EXPECT_EQ(pace_of(2.0).pictures, 50U);
-  EXPECT_EQ(pace_of(0.1).slower, 8);
-  EXPECT_EQ(pace_of(1000.0).pictures, 120U);
-  EXPECT_DOUBLE_EQ(pace_of(1000.0).pictures_per_s, 0.12);
-  EXPECT_EQ(pace_of(0.0).pictures, 2U);
+  EXPECT_EQ(pace_of(5.0, 0.0).slower, 1);
+  EXPECT_EQ(pace_of(2.0, 0.0).slower, 2);
+  EXPECT_EQ(pace_of(2.0, 0.0).pictures, 50U);
+  EXPECT_EQ(pace_of(0.1, 0.0).slower, 8);
+  EXPECT_EQ(pace_of(1000.0, 0.0).pictures, 250U);
+  EXPECT_DOUBLE_EQ(pace_of(1000.0, 0.0).pictures_per_s, 0.25);
+  EXPECT_EQ(pace_of(0.0, 0.0).pictures, 2U);
+}
+
+TEST(AnimationPace, ResolvesEachStroke) {
+  EXPECT_EQ(pace_of(5.0, 15.0).pictures, 75U) << "five of each stroke";
+  EXPECT_EQ(pace_of(5.0, 15.0).slower, 1);
+  EXPECT_DOUBLE_EQ(pace_of(5.0, 15.0).pictures_per_s, 15.0);
+  EXPECT_EQ(pace_of(5.0, 50.0).pictures, 250U);
+  EXPECT_EQ(pace_of(5.0, 50.0).slower, 2);
+  EXPECT_DOUBLE_EQ(pace_of(5.0, 50.0).pictures_per_s, 25.0);
+  EXPECT_EQ(pace_of(5.0, 500.0).pictures, 250U) << "as many as there is room for";
 }
 
 TEST(ReportNumbers, HaveNoSignAtNought) {

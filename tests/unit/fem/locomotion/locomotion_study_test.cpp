@@ -48,6 +48,18 @@ TEST(LocomotionStudy, ReadsWhatItStates) {
   EXPECT_DOUBLE_EQ(body_length_m(study.design, 2), 0.02) << "one cell per side at every level";
 }
 
+TEST(LocomotionStudy, HasFramesThatResolveEachStroke) {
+  EXPECT_EQ(usual_records_per_frame(0.01, 5.0, std::nullopt), 10U) << "a tenth of a second";
+  EXPECT_EQ(usual_records_per_frame(0.01, 5.0, 1.0), 10U);
+  EXPECT_EQ(usual_records_per_frame(0.01, 5.0, 3.0), 4U) << "8.3 frames of a stroke";
+  EXPECT_EQ(usual_records_per_frame(0.01, 2.0, 10.0), 1U);
+  EXPECT_EQ(usual_records_per_frame(0.01, 2.0, 100.0), 1U) << "a record is the least";
+  EXPECT_EQ(usual_records_per_frame(0.001, 5.0, 10.0), 16U) << "300 frames of the walk, not 400";
+  EXPECT_EQ(usual_records_per_frame(0.01, 60.0, 3.0), 20U);
+  const std::string slow_drive = "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 5\n";
+  EXPECT_EQ(sample_study(cube + silicone + ground + slow_drive + time).output.records_per_frame, 2U);
+}
+
 TEST(LocomotionStudy, SurfacesRubAsOnTheGroundUnlessStated) {
   const LocomotionStudy plain = sample_study(cube_study);
   ASSERT_TRUE(plain.self_contact && plain.self_contact->friction);
