@@ -48,10 +48,12 @@ std::string bend_verdict(const fs::path& results, const meshes::Robot& robot) {
     const auto thin = bend_in_inflation(results / "inflate", cell_edge_m);
     const auto compared = compared_bend_at(results, pressure_Pa, cell_edge_m);
     if (!thin || !compared) return "";
-    return "At " + io::kilopascals(pressure_Pa) + " the middle of its far end moves " + millimetres(thin->sideways_m) +
-           " sideways by thin walls" + inflate_supports(robot) + ", " + millimetres(compared->elements.sideways_m) +
-           " by quadratic elements" + validate_supports(robot) + " and " + millimetres(compared->voxels.sideways_m) +
-           " in the surrogate" + error_text(*compared);
+    return "At " + io::kilopascals(pressure_Pa) + " the middle of its far end moves " +
+           millimetres(compared->elements.sideways_m) + " sideways by quadratic elements" + validate_supports(robot) +
+           ", which bend fingers up to " + io::percents(meshes::largest_quadratic_bend_excess) + " too much, and " +
+           millimetres(compared->voxels.sideways_m) + " in the surrogate" + error_text(*compared) + " Thin walls" +
+           inflate_supports(robot) + " give " + millimetres(thin->sideways_m) + "; they bend fingers " +
+           meshes::thin_wall_bend_deficit_text() + " too little.";
   } catch (const io::InputError&) {
     return "";  // the fields are for ParaView; without them the rest is known
   }

@@ -11,6 +11,7 @@
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "meshes/load_cases/shape_agreement.h"
 #include "meshes/robot/robot_studies.h"
 
 namespace menger::evolution {
@@ -33,7 +34,10 @@ std::string bend_text(const fs::path& results, const meshes::Robot& robot) {
   if (robot.walks) return "";
   try {
     const auto bend = bend_in_inflation(results / "inflate", robot.design.cell_edge_m);
-    return bend ? "; the middle of its far end moves " + millimetres(bend->sideways_m) + " sideways, seen from the near one" : "";
+    return bend ? "; the middle of its far end moves " + millimetres(bend->sideways_m) +
+                      " sideways, seen from the near one (thin walls bend fingers " + meshes::thin_wall_bend_deficit_text() +
+                      " too little: see validate)"
+                : "";
   } catch (const io::InputError&) {
     return "";  // the growth is known without the fields
   }

@@ -394,7 +394,9 @@ std::string worst_text(const io::CsvContents& summary, std::size_t row, bool has
   const std::string observable = text_in(summary, row, "worst_observable");  // none in results of earlier versions
   std::string load_case = text_in(summary, row, "worst_case");
   if (observable.empty()) return load_case;
-  return io::displacement_words(observable) + (has_cases ? ", " + load_case : "");
+  const auto difference_m = number_in(summary, row, "worst_m");  // of displacements
+  return io::displacement_words(observable) + (difference_m ? ", by " + io::millimetres(*difference_m) : "") +
+         (has_cases ? ", " + load_case : "");
 }
 
 /// The errors of a validation in per cent. Of one body alone, the sums over all bodies repeat its own numbers, and are left out.
@@ -408,8 +410,10 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file,
                   "median (%)", "nine in ten are below (%)", "worst (%)", "worst in"},
       .rows = {},
       .note =
-          "An error is a difference from finite elements, as a share of the largest value in its curve. More "
-          "columns: " +
+          "An error is a difference from finite elements, as a share of the largest value in its curve: where that is small, a "
+          "small difference is a large share. The height of the top is that of the middle of the body, seen from above, over its "
+          "lowest faces. The finite elements are quadratic, one through a wall, and up to 16 % too large themselves where walls "
+          "span single cells (fem/README.md). More columns: " +
           file + "."};
   const bool has_lengths = summary.has("furthest_m");  // not in results of earlier versions
   if (has_lengths) {
@@ -450,13 +454,17 @@ void add_validation(const CommandOutput& output, const CommandOutput* loop, Page
                   .equal_scale = true,
                   .diagonal = true,
                   .note = "Inside the range of the fit, one series per body."};
+  bool has_inside = false;
+  for (std::size_t row = 0; row < errors.row_count(); ++row)
+    has_inside = has_inside || (text_in(errors, row, "validity") == "inside" && text_in(errors, row, "kind") == "displacement");
+  if (!has_inside) chart.note = "All outside the range of the fit, one series per body.";
   for (const std::string& body : distinct(errors, "body")) {
     PageSeries series{.name = name_of(body), .x = {}, .y = {}, .marks = PageMarks::points};
     for (std::size_t row = 0; row < errors.row_count(); ++row) {
       const auto elements = number_in(errors, row, "finite_elements");
       const auto surrogate = number_in(errors, row, "surrogate");
       if (text_in(errors, row, "body") != body || text_in(errors, row, "kind") != "displacement" ||
-          text_in(errors, row, "validity") != "inside" || !elements || !surrogate)
+          (has_inside && text_in(errors, row, "validity") != "inside") || !elements || !surrogate)
         continue;
       series.x.push_back(1e3 * *elements);
       series.y.push_back(1e3 * *surrogate);

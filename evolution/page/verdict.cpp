@@ -140,9 +140,14 @@ Finding inflation_finding(const InflationFacts& facts, const KnownPressures& kno
                                 io::shown(1.0 + *facts.volume_growth, 3) + " times its volume at rest."
                           : "";
   if (facts.status == io::RunStatus::completed) {
-    const std::string bend = facts.sideways_m ? " The middle of its far end moves " + io::millimetres(*facts.sideways_m) +
-                                                    " sideways, seen from the near one."
-                                              : "";
+    const std::string bend = facts.sideways_m
+                                 ? " The middle of its far end moves " + io::millimetres(*facts.sideways_m) +
+                                       " sideways, seen from the near one" +
+                                       (facts.stated.elements == "thin_wall"
+                                            ? "; thin walls bend fingers " + meshes::thin_wall_bend_deficit_text() + " too little"
+                                            : "") +
+                                       "."
+                                 : "";
     Finding finding{Tone::good,
                     begin +
                         (is_vacuum ? "Evacuated to " + reached + by + ", where no walls of its chambers touch."

@@ -231,7 +231,9 @@ InputError TomlTable::missing(std::string_view keys, std::string_view reason) co
 
 void TomlTable::finish() const {
   std::vector<std::string> faults;
-  node_->collect_unasked(faults);
+  std::multimap<std::string, std::string, std::less<>> everywhere;
+  node_->collect_asked(everywhere);
+  node_->collect_unasked(everywhere, faults);
   if (faults.empty()) return;
   std::string message;
   for (const std::string& fault : faults) message.append(message.empty() ? "" : "\n").append(fault);

@@ -131,7 +131,15 @@ std::shared_ptr<TomlTable::Node> TomlTable::Node::child(std::string_view key, co
   return known.emplace_back(std::make_shared<Node>(std::move(made)));
 }
 
-void TomlTable::Node::collect_unasked(std::vector<std::string>& faults) const {
+void TomlTable::Node::collect_asked(std::multimap<std::string, std::string, std::less<>>& names) const {
+  for (const std::string& key : asked) names.emplace(key, prefix + key);
+  for (const auto& [key, nodes] : children) {
+    for (const auto& node : nodes) node->collect_asked(names);
+  }
+}
+
+void TomlTable::Node::collect_unasked(const std::multimap<std::string, std::string, std::less<>>& everywhere,
+                                      std::vector<std::string>& faults) const {
   const std::vector<std::string> known(asked.begin(), asked.end());
   for (const auto& [unasked, node] : *table) {
     const std::string_view key = unasked.str();
@@ -141,11 +149,14 @@ void TomlTable::Node::collect_unasked(std::vector<std::string>& faults) const {
       continue;
     }
     std::string message = where(node) + prefix + key_text(key) + ": unknown key";
-    if (const auto nearest = near_miss(key, known)) message += ", did you mean " + *nearest + "?";
+    if (const auto nearest = near_miss(key, known))
+      message += ", did you mean " + *nearest + "?";
+    else if (everywhere.count(key) == 1)  // in one other table
+      message += ", did you mean " + everywhere.find(key)->second + "?";
     faults.push_back(std::move(message));
   }
   for (const auto& [key, nodes] : children) {
-    for (const auto& node : nodes) node->collect_unasked(faults);
+    for (const auto& node : nodes) node->collect_unasked(everywhere, faults);
   }
 }
 

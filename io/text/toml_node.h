@@ -66,8 +66,13 @@ struct TomlTable::Node {
   /// together.
   std::shared_ptr<Node> child(std::string_view key, const std::string& name, const toml::node& node);
 
+  /// Adds the full names ("element.degree") of all keys that were asked for, here and in the tables taken from here, by key.
+  void collect_asked(std::multimap<std::string, std::string, std::less<>>& names) const;
+
   /// Adds a message for every key that was never asked for, here and in the tables taken from here.
-  void collect_unasked(std::vector<std::string>& faults) const;
+  /// @param everywhere the keys of the whole file, see collect_asked
+  void collect_unasked(const std::multimap<std::string, std::string, std::less<>>& everywhere,
+                       std::vector<std::string>& faults) const;
 };
 
 }  // namespace menger::io

@@ -1,12 +1,24 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace menger::meshes {
 
 /// The median error of displacements, and that of chamber volumes, up to which a surrogate takes the shape of a body well, if no
 /// displacement goes the wrong way. It is a choice; it decides words, never numbers.
 inline constexpr double largest_shape_error = 0.15;
+
+/// By how much less fingers of thin walls bend than those of quadratic elements with two layers through the wall, at least
+/// (`fine`) and at most (`draft`), of what they bend (fem/README.md, Walk).
+inline constexpr double least_thin_wall_bend_deficit = 0.14;
+inline constexpr double largest_thin_wall_bend_deficit = 0.32;
+
+/// By how much more fingers bend on quadratic elements with one layer through the wall, at most (likewise).
+inline constexpr double largest_quadratic_bend_excess = 0.03;
+
+/// "14 to 32 %": that deficit
+std::string thin_wall_bend_deficit_text();
 
 /// Displacements of at least this, in m, are large enough that a surrogate should give them the right sign.
 inline constexpr double smallest_signed_m = 2e-4;

@@ -1,6 +1,7 @@
 #include "meshes/robot/command_study.h"
 
 #include <array>
+#include <system_error>
 
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
@@ -35,7 +36,13 @@ void take_champion(Robot& robot, const RobotPlaces& places) {
   robot.design.body = read_design(places.champion()).body;
 }
 
-CommandStudy command_study(const fs::path& given, RobotStudy study, const fs::path& output, bool has_own_fit) {
+fs::path robot_file_in(const fs::path& given) {
+  std::error_code ignored;
+  return fs::is_directory(given, ignored) && io::is_file(given / "robot.toml") ? given / "robot.toml" : given;
+}
+
+CommandStudy command_study(const fs::path& named, RobotStudy study, const fs::path& output, bool has_own_fit) {
+  const fs::path given = robot_file_in(named);
   if (!is_robot_file(given)) return {given, output.empty() ? given.stem() : output};
   Robot robot = read_robot(given);
   RobotPlaces places(given);
@@ -56,7 +63,8 @@ CommandStudy command_study(const fs::path& given, RobotStudy study, const fs::pa
   return {places.study(study), output.empty() ? places.folder(study) : output};
 }
 
-void refuse_robot_file(const fs::path& given) {
+void refuse_robot_file(const fs::path& named) {
+  const fs::path given = robot_file_in(named);
   if (is_robot_file(given)) {
     throw io::InputError(given.string() +
                          ": is the file of a robot, not a study of this command (--template prints one): menger loop " +

@@ -45,7 +45,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     voxel::CalibrationStudy study;
     describe(visitor, study);
   });
-  app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
+  app.add_option("study", arguments.study, "study file, or robot.toml of menger init or its folder")->required();
   app.add_option("-o,--output", arguments.folder,
                  "folder of the results (default: the name of the study file; of a robot, its folder in results)");
   app.add_option("--curves", arguments.curves, "files or folders of response curves, instead of those of the study");

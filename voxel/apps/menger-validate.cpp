@@ -56,7 +56,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     voxel::ValidationStudy study;
     describe(visitor, study);
   });
-  app.add_option("study", arguments.study, "study file, or robot.toml of menger init")->required();
+  app.add_option("study", arguments.study, "study file, or robot.toml of menger init or its folder")->required();
   app.add_option("-o,--output", arguments.folder,
                  "folder of the results (default: the name of the study file; of a robot, its folder in results)");
   app.add_option("--parameters", arguments.places.parameters, "voxel parameters, instead of the study's");

@@ -18,9 +18,24 @@ namespace {
 constexpr int panel_width_px = 900;
 constexpr int panel_height_px = 850;
 
-bool counts(const ObservableError& error) { return error.validity == Validity::inside; }
+/// Whether an error is shown: those inside the range of validity, or all where nothing lies inside.
+class Shown {
+ public:
+  explicit Shown(const std::vector<CurveComparison>& comparisons)
+      : has_inside_(std::ranges::any_of(comparisons, [](const CurveComparison& comparison) {
+          return std::ranges::any_of(comparison.errors,
+                                     [](const ObservableError& error) { return error.validity == Validity::inside; });
+        })) {}
+  [[nodiscard]] bool has_inside() const { return has_inside_; }
+  [[nodiscard]] bool operator()(const ObservableError& error) const {
+    return std::isfinite(error.error) && (!has_inside_ || error.validity == Validity::inside);
+  }
 
-io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, double aim) {
+ private:
+  bool has_inside_;
+};
+
+io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, const Shown& is_shown, double aim) {
   io::ChartPanel panel{.title = "cumulative distribution of errors",
                        .x = {.title = "error (% of the largest value in the curve)", .lowest = 0.0},
                        .y = {.title = "values with at most this error (%)", .lowest = 0.0, .highest = 100.0},
@@ -30,7 +45,7 @@ io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, dou
     std::vector<double> magnitudes;
     for (const CurveComparison& comparison : comparisons) {
       for (const ObservableError& error : comparison.errors) {
-        if (counts(error) && error.kind == static_cast<ObservableKind>(kind)) magnitudes.push_back(100.0 * std::abs(error.error));
+        if (is_shown(error) && error.kind == static_cast<ObservableKind>(kind)) magnitudes.push_back(100.0 * std::abs(error.error));
       }
     }
     if (magnitudes.empty()) continue;
@@ -46,7 +61,8 @@ io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, dou
   return panel;
 }
 
-io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, ObservableKind kind, double aim) {
+io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, const Shown& is_shown, ObservableKind kind,
+                              double aim) {
   io::ChartPanel panel{.title = "error in " + std::string(to_string(kind)),
                        .x = {.title = "pressure (kPa)"},
                        .y = {.title = "error (% of the largest value in the curve)"},
@@ -59,7 +75,7 @@ io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, O
     for (const CurveComparison& comparison : comparisons) {
       if (comparison.body != bodies[b]) continue;
       for (const ObservableError& error : comparison.errors) {
-        if (!counts(error) || error.kind != kind) continue;
+        if (!is_shown(error) || error.kind != kind) continue;
         series.x.push_back(1e-3 * error.pressure_Pa);
         series.y.push_back(100.0 * error.error);
         largest = std::max(largest, std::abs(error.error));
@@ -152,14 +168,18 @@ io::PictureOutcome write(const std::filesystem::path& file, const io::Chart& cha
 }  // namespace
 
 io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim) {
-  io::Chart chart{.title = "surrogate against finite elements, inside the range of validity", .panels = {}};
-  chart.panels.push_back(spread_panel(comparisons, aim));
+  const Shown is_shown(comparisons);
+  io::Chart chart{.title = std::string("surrogate against finite elements, ") +
+                           (is_shown.has_inside() ? "inside the range of validity"
+                                                  : "all outside the range of validity: nothing was compared inside"),
+                  .panels = {}};
+  chart.panels.push_back(spread_panel(comparisons, is_shown, aim));
   // A marker must lie inside the axis.
   double largest = 110.0 * aim;
   for (const io::ChartSeries& series : chart.panels.front().series) largest = std::max(largest, 1.02 * series.x.back());
   chart.panels.front().x.highest = largest;
   for (const ObservableKind kind : {ObservableKind::displacement, ObservableKind::volume})
-    chart.panels.push_back(pressure_panel(comparisons, kind, aim));
+    chart.panels.push_back(pressure_panel(comparisons, is_shown, kind, aim));
   return write(file, chart);
 }
 

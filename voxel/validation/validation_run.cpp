@@ -222,7 +222,8 @@ std::vector<std::string> report_lines(const ValidationResult& result, double aim
   for (const bool inside : {true, false})
     if (std::string sentence = sign_sentence(result.comparisons, inside); !sentence.empty()) lines.push_back(std::move(sentence));
   if (!result.actuations.empty()) {
-    lines.emplace_back("volume actuation by finite elements:");
+    lines.push_back("change of the outer volume by pressure, on finite elements, beside that by which solid voxels are driven (" +
+                    io::formatted("%+.3g %%", 100.0 * result.actuation.largest_change) + "):");
     for (const VolumeActuation& actuation : result.actuations) {
       for (const std::string& sentence : actuation_sentences(actuation, result.actuation))
         lines.push_back("  " + actuation.body + ": " + sentence);

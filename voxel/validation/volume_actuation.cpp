@@ -118,7 +118,7 @@ std::vector<std::string> actuation_sentences(const VolumeActuation& actuation, c
     at_pressure = io::kilopascals(aim.pressure_Pa) + " changes its outer volume by " +
                   signed_percent(*actuation.change_at_pressure) + ", " +
                   io::formatted("%.2g", *actuation.change_at_pressure / aim.largest_change) + " of the " +
-                  signed_percent(aim.largest_change) + " aimed at";
+                  signed_percent(aim.largest_change) + " of solid voxels";
   } else {
     at_pressure = io::kilopascals(aim.pressure_Pa) + " lies beyond the curve, which ends at " +
                   io::kilopascals(actuation.highest_pressure_Pa);

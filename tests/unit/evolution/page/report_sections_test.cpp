@@ -352,7 +352,7 @@ TEST_F(ReportSectionsTest, ReadHowFarAShapeIsOffInLengths) {
   const PageTable table = section({output("validate")}, "validation").tables.at(0);
   ASSERT_EQ(table.rows.size(), 1U);
   EXPECT_EQ(table.columns.at(7), "worst in") << "without a column of states without equilibrium, of which there are none";
-  EXPECT_EQ(table.rows[0].at(7), "the extent along y") << "the only load case goes without saying";
+  EXPECT_EQ(table.rows[0].at(7), "the extent along y, by 1.08 mm") << "the only load case goes without saying";
   EXPECT_EQ(table.columns.at(8), "furthest off by (mm)");
   EXPECT_EQ(table.rows[0].at(8), "2.07");
   EXPECT_EQ(table.rows[0].at(9), "the height of the top");

@@ -209,6 +209,17 @@ TEST(TomlTable, SuggestsOptionalKeysToo) {
             "folder/study.toml:1: levl: unknown key, did you mean level?");
 }
 
+TEST(TomlTable, SuggestsTheTableThatHasTheKey) {
+  const TomlTable table = parsed("[elements]\ndegree = 2\ncount = 1\n");
+  (void)table.table("elements").integer_or("size", 1);
+  (void)table.table_or_empty("element").integer_or("degree", 1);
+  (void)table.table_or_empty("a").integer_or("count", 1);
+  (void)table.table_or_empty("b").integer_or("count", 1);
+  EXPECT_EQ(message([&] { table.finish(); }),
+            "folder/study.toml:3: elements.count: unknown key\n"
+            "folder/study.toml:2: elements.degree: unknown key, did you mean element.degree?");
+}
+
 TEST(TomlTable, AddsUpWhatTwoHandlesOfOneTableAsked) {
   const TomlTable table = parsed("[inner]\na = 1\nb = 2\n");
   (void)table.table("inner").integer("a");

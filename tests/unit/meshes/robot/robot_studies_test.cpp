@@ -251,6 +251,7 @@ TEST(CommandStudy, DerivesStudyAndFolderFromARobotAlone) {
   const CommandStudy derived = command_study(robot.file, RobotStudy::validate);
   EXPECT_EQ(derived.study, folder / "results/studies/validate.toml");
   EXPECT_EQ(derived.folder, folder / "results/validate");
+  EXPECT_EQ(command_study(folder.path(), RobotStudy::validate).study, derived.study) << "the folder means its robot.toml";
   EXPECT_EQ(io::read_whole(derived.study), study_text(robot, RobotStudy::validate, RobotPlaces(robot.file)));
   EXPECT_TRUE(fs::exists(folder / "results/studies/validate_load_cases.toml"));
   io::write_whole(folder / "study.toml", "[design]\n");

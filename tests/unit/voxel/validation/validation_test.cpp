@@ -89,7 +89,7 @@ TEST(Validation, CountsDisplacementsThatGoTheWrongWay) {
   EXPECT_EQ(count_signs(comparisons), expected);
   EXPECT_EQ(
       sign_sentence(comparisons, true),
-      "sign: 3 of 5 displacements of at least 0.2 mm go the right way; the wrong way: bar extent_y_m (1 of 2), bar top_m (1 "
+      "sign: 3 of 5 displacements that are at least 0.2 mm go the right way (smaller ones have none); the wrong way: bar extent_y_m (1 of 2), bar top_m (1 "
       "of 1)");
   EXPECT_EQ(sign_sentence(comparisons, false), "");
   std::vector<CurveComparison> beyond = comparisons;
