@@ -209,7 +209,7 @@ std::string walk_caption(const PageScene& scene, double time, int slower, double
   if (bodies.size() == 2)
     text = bodies[0].name + " behind" + way_text(bodies[0], time) + ", " + bodies[1].name + " in front" +
            way_text(bodies[1], time) + ", ";
-  if (scene.angle_deg) text += io::degrees(*scene.angle_deg) + " apart, ";
+  if (scene.angle_deg) text += io::degrees(*scene.angle_deg) + " apart at the end, ";
   if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
   text += io::formatted("%.2f s", time);
   if (slower > 1) text += ", shown " + std::to_string(slower) + " times slower";

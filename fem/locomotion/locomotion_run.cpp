@@ -14,7 +14,7 @@
 #include "fem/walk/walk.h"
 #include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
-#include "io/text/formatted.h"
+#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
@@ -117,8 +117,7 @@ class LocomotionRun {
   void draw() {
     const WalkRecord& last = result_.records.back();
     const Point moved = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
-    const std::string caption = study_.design.name + " after " + io::shown(result_.time_s, 3) + " s: its centre moved by (" +
-                                io::formatted("%.2f", 1e3 * moved[0]) + ", " + io::formatted("%.2f", 1e3 * moved[1]) + ") mm";
+    const std::string caption = io::moved_text(study_.design.name, result_.time_s, moved[0], moved[1]);
     const std::vector<double> displacements = dynamics_->displacements_m();
     const std::vector<double> velocities = dynamics_->velocities_m_per_s();
     const io::PictureOutcome robot =

@@ -45,6 +45,16 @@ vtkSmartPointer<vtkActor> add_flat(vtkRenderer& renderer, vtkPolyData& surface, 
   return actor;
 }
 
+vtkSmartPointer<vtkPolyData> line_between(const Vector& from, const Vector& to) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({points->InsertNextPoint(from.data()), points->InsertNextPoint(to.data())});
+  auto line = vtkSmartPointer<vtkPolyData>::New();
+  line->SetPoints(points);
+  line->SetLines(lines);
+  return line;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> box_surface(std::span<const std::array<Vector, 8>> corners_m,
@@ -189,6 +199,19 @@ void add_lines(vtkRenderer& renderer, vtkPolyData& lines, double line_width) {
   actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
   actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -1e5);
   actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+}
+
+void add_scale_bar(vtkRenderer& renderer, const View& view, const Extent& seen, double length_m) {
+  const auto at = [&](double to_right) {
+    Vector place{};
+    const double depth = seen.high[2];
+    const double height = seen.low[1] - 0.06 * seen.size(1);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      place.at(axis) = to_right * view.right.at(axis) + height * view.up.at(axis) + depth * view.eye.at(axis);
+    return place;
+  };
+  add_lines(renderer, *line_between(at(seen.centre(0) - 0.5 * length_m), at(seen.centre(0) + 0.5 * length_m)),
+            2.5 * io::supersampling);
 }
 
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up) {

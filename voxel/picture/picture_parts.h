@@ -50,6 +50,9 @@ void add_trail(vtkRenderer& renderer, std::span<const Vector> trail);
 /// Adds lines, which are also visible through bodies.
 void add_lines(vtkRenderer& renderer, vtkPolyData& lines, double line_width);
 
+/// Adds a bar below what is seen, along the picture. @param seen along the axes of the view
+void add_scale_bar(vtkRenderer& renderer, const View& view, const Extent& seen, double length_m);
+
 /// Adds a caption. @param across position of its middle, 0 to 1 from left to right @param up of its lower end, 0 to 1 from below
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up = 0.03);
 

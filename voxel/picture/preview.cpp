@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "io/picture/scale_bar.h"
+#include "io/text/formatted.h"
 #include "voxel/picture/picture_parts.h"
 #include "voxel/picture/picture_view.h"
 
@@ -108,12 +110,20 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
     add_trail(*renderer, path);
   }
 
+  const int font_size = style.picture.height_px / 36;
+  if (!style.title.empty()) {
+    const double bar_m = io::scale_bar_length(0.25 * seen.size(0));
+    add_scale_bar(*renderer, view, seen, bar_m);
+    add_caption(*renderer, style.title, 0.5, font_size, 0.95);
+    add_caption(*renderer, "bar: " + io::shown(1e3 * bar_m, 3) + " mm" + (trail.empty() ? "" : "; line: the path of the centre"),
+                0.5, font_size);
+  }
   window.AddRenderer(renderer);
   const double aspect = static_cast<double>(style.picture.width_px) / style.picture.height_px;
-  aim(*renderer, view, seen, aspect, captions.empty() ? 0.04 : 0.08);
+  aim(*renderer, view, seen, aspect, !captions.empty() || !style.title.empty() ? 0.08 : 0.04);
   const double picture_width = 2.0 * renderer->GetActiveCamera()->GetParallelScale() * aspect;
   for (std::size_t i = 0; i < captions.size(); ++i) {
-    add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, style.picture.height_px / 36);
+    add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, font_size);
   }
 }
 

@@ -14,7 +14,8 @@ namespace menger::voxel {
 /// Size and content of a picture of robots.
 struct RobotStyle {
   io::PictureStyle picture{};
-  bool floor = true;  ///< whether to draw the ground
+  bool floor = true;    ///< whether to draw the ground
+  std::string title{};  ///< of the picture of one robot, which then has a scale bar, too
 };
 
 /// Draws a robot as a PNG picture, seen from above at an angle: lit cubes on the ground, material 1 in blue, material 2 in

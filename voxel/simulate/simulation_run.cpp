@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
@@ -122,7 +123,10 @@ class SceneRun {
   void draw() {
     std::vector<std::array<double, 3>> trail;
     for (const TrajectoryPoint& point : result_.trajectory) trail.push_back(point.centre_of_mass_m);
-    const io::PictureOutcome robot = render_robot(folder_ / "robot.png", last_frame_, trail, {.floor = scene_.physics.floor});
+    const std::array<double, 3> moved_m = displacement_m(result_.trajectory, result_.trajectory.back());
+    const io::PictureOutcome robot = render_robot(
+        folder_ / "robot.png", last_frame_, trail,
+        {.floor = scene_.physics.floor, .title = io::moved_text(scene_.design.name, result_.time_s, moved_m[0], moved_m[1])});
     if (!robot.written) {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;

@@ -60,30 +60,6 @@ vtkSmartPointer<vtkPolyData> outline_of(const BodyBoxes& boxes) {
   return edges->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> line_between(const Vector& from, const Vector& to) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({points->InsertNextPoint(from.data()), points->InsertNextPoint(to.data())});
-  auto line = vtkSmartPointer<vtkPolyData>::New();
-  line->SetPoints(points);
-  line->SetLines(lines);
-  return line;
-}
-
-/// Adds a bar of a round length below the bodies.
-void add_scale_bar(vtkRenderer& renderer, const View& view, const Extent& seen, double length_m) {
-  const auto at = [&](double to_right) {
-    Vector place{};
-    const double depth = seen.high[2];
-    const double height = seen.low[1] - 0.06 * seen.size(1);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      place.at(axis) = to_right * view.right.at(axis) + height * view.up.at(axis) + depth * view.eye.at(axis);
-    return place;
-  };
-  add_lines(renderer, *line_between(at(seen.centre(0) - 0.5 * length_m), at(seen.centre(0) + 0.5 * length_m)),
-            2.5 * io::supersampling);
-}
-
 void fill(vtkRenderWindow& window, const SideBySidePicture& picture, const io::PictureStyle& style) {
   const View view = isometric_view();
   vtkNew<vtkRenderer> renderer;
