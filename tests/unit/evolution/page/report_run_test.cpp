@@ -183,9 +183,9 @@ TEST(WalkAnimation, TellsWhenOneOfTwoWalksHasEnded) {
   const PageScene scene{.bodies = {body("finite elements", 2.0), body("surrogate", 5.0)}, .angle_deg = 1.0};
   EXPECT_EQ(
       walk_caption(scene, 1.0, 2, 0.01),
-      "finite elements behind: 1.8 mm, surrogate in front: 0.7 mm, 1 degree apart, 1.00 s, shown 2 times slower, bar 10 mm");
+      "finite elements behind: 1.8 mm, surrogate in front: 0.7 mm, 1 degree apart at the end, 1.00 s, shown 2 times slower, bar 10 mm");
   EXPECT_EQ(walk_caption(scene, 4.84, 1, 0.01),
-            "finite elements behind: 3.6 mm (ended at 2 s), surrogate in front: 3.5 mm, 1 degree apart, 4.84 s, bar 10 mm");
+            "finite elements behind: 3.6 mm (ended at 2 s), surrogate in front: 3.5 mm, 1 degree apart at the end, 4.84 s, bar 10 mm");
 }
 
 TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
