@@ -9,7 +9,7 @@ proof.py champions RESULTS ARM SEED           prints the individuals whose score
 proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv and progress.csv
 proof.py winners TABLES                       prints "ARM SEED INDIVIDUAL" of the winners of the better arm on finite elements
 proof.py layers RESULTS TABLES                makes layers.csv: winners with two layers of elements
-proof.py summary TABLES                       makes statistics.csv and proof.svg
+proof.py summary TABLES                       makes statistics.csv, first.csv and proof.svg
 
 A score is the displacement in a period of the drive, in body lengths, in the worst of three frictions. A robot without a score does not
 walk: it counts as 0. Exit codes: 0 done, 2 wrong input.
@@ -184,14 +184,15 @@ def add_rows(file, columns, arm, seed, new):
     write_table(file, columns, sorted_rows([*kept, *({key: str(text) for key, text in row.items()} for row in new)]))
 
 
-def outcomes_by_arm(tables):
+def outcomes_by_arm(tables, column="best_body_lengths"):
+    """The scores of the searches of each arm: of the best of the robots that were judged, or of the search's own first."""
     rows = read_table(tables / "outcomes.csv")
     # Budgets follow from size.toml and cost.csv: searches from before one of them was changed had another cost.
-    for column in ("budget_element_steps", "voxel_steps_per_element_step"):
-        values = {row[column] for row in rows} - {""}
+    for cost in ("budget_element_steps", "voxel_steps_per_element_step"):
+        values = {row[cost] for row in rows} - {""}
         if len(values) > 1:
-            raise InputError(f"{tables}/outcomes.csv: {column}: searches of different cost are not compared: {', '.join(sorted(values))}")
-    return {arm: [float(row["best_body_lengths"]) for row in rows if row["arm"] == arm] for arm in ARMS}
+            raise InputError(f"{tables}/outcomes.csv: {cost}: searches of different cost are not compared: {', '.join(sorted(values))}")
+    return {arm: [float(row[column]) for row in rows if row["arm"] == arm] for arm in ARMS}
 
 
 def rank_sum_p(a, b):
@@ -388,6 +389,7 @@ def main(arguments):
                 tables = pathlib.Path(tables)
                 outcomes = outcomes_by_arm(tables)
                 write_table(tables / "statistics.csv", STATISTICS, statistics_rows(outcomes))
+                write_table(tables / "first.csv", STATISTICS, statistics_rows(outcomes_by_arm(tables, "first_body_lengths")))
                 (tables / "proof.svg").write_text(draw(outcomes, read_table(tables / "progress.csv")), encoding="utf-8")
             case _:
                 raise InputError(f"wrong arguments\n\n{__doc__}")

@@ -198,6 +198,10 @@ class Searches(unittest.TestCase):
         self.assertAlmostEqual(float(rows["elements", "voxels"]["difference_body_lengths"]), 0.2)
         self.assertAlmostEqual(float(rows["both", "elements"]["difference_body_lengths"]), -0.02)
         self.assertLess(float(rows["both", "elements"]["difference_low"]), 0.0)
+        first = {(row["arm"], row["than"]): row for row in table_of(self.tables / "first.csv")}
+        judged = table_of(self.tables / "outcomes.csv")
+        of_elements = sorted(float(row["first_body_lengths"]) for row in judged if row["arm"] == "elements")
+        self.assertAlmostEqual(float(first["elements", "voxels"]["median_body_lengths"]), of_elements[2])
         picture = (self.tables / "proof.svg").read_text()
         xml.dom.minidom.parseString(picture)
         for colour, _ in proof.STYLES.values():
