@@ -53,7 +53,7 @@ std::string bend_verdict(const fs::path& results, const meshes::Robot& robot) {
            ", which bend fingers up to " + io::percents(meshes::largest_quadratic_bend_excess) + " too much, and " +
            millimetres(compared->voxels.sideways_m) + " in the surrogate" + error_text(*compared) + " Thin walls" +
            inflate_supports(robot) + " give " + millimetres(thin->sideways_m) + "; they bend fingers " +
-           meshes::thin_wall_bend_deficit_text() + " too little.";
+           meshes::thin_wall_bend_deficit_text(meshes::to_string(robot.fidelity)) + " too little.";
   } catch (const io::InputError&) {
     return "";  // the fields are for ParaView; without them the rest is known
   }

@@ -35,8 +35,9 @@ std::string bend_text(const fs::path& results, const meshes::Robot& robot) {
   try {
     const auto bend = bend_in_inflation(results / "inflate", robot.design.cell_edge_m);
     return bend ? "; the middle of its far end moves " + millimetres(bend->sideways_m) +
-                      " sideways, seen from the near one (thin walls bend fingers " + meshes::thin_wall_bend_deficit_text() +
-                      " too little: see validate)"
+                      " sideways, seen from the near one (thin walls bend fingers " +
+                      meshes::thin_wall_bend_deficit_text(meshes::to_string(robot.fidelity)) +
+                      " too little; quadratic ones, in the stage validate, decide)"
                 : "";
   } catch (const io::InputError&) {
     return "";  // the growth is known without the fields

@@ -30,7 +30,8 @@ namespace {
 /// The softest law in the record of a silicone, where it is softer than the robot's.
 struct SoftestLaw {
   std::string text;       ///< see meshes::law_text
-  double limit_Pa = 0.0;  ///< at which the body may balloon by it
+  double limit_Pa = 0.0;  ///< near which the body may balloon by it: pressures go nearly with the modulus at rest
+  [[nodiscard]] double safe_Pa() const { return meshes::largest_safe_share * limit_Pa; }
 };
 
 /// @param limit_Pa at which the body may balloon by the law of the robot
@@ -77,15 +78,23 @@ std::string overload_verdict(const OwnLimit& own, double drive_Pa) {
          lower_to(own.safe_Pa()) + ".";
 }
 
+/// "balloons near 2.23 kPa", or "is near ballooning, 91 % of some 2.23 kPa". @pre the drive is not safe
+std::string danger_text(const SoftestLaw& softest, double drive_Pa) {
+  const std::string limit = kilopascals(softest.limit_Pa);
+  return drive_Pa > softest.limit_Pa ? "balloons near " + limit
+                                     : "is near ballooning, at " + percents(drive_Pa / softest.limit_Pa) + " of some " + limit;
+}
+
+std::string test_or_lower(const SoftestLaw& softest) {
+  return "test the silicone that you cast, or " + lower_to(softest.safe_Pa()) + ".";
+}
+
 /// What the softest law says beside one that is told before.
 std::string softest_verdict(const SoftestLaw& softest, double drive_Pa) {
-  const double safe_Pa = meshes::largest_safe_share * softest.limit_Pa;
   const std::string begin = "By the softest law of its silicone (" + softest.text + ") it ";
-  if (drive_Pa <= safe_Pa) return begin + "is safe, too, up to " + kilopascals(io::rounded_towards_rest(safe_Pa)) + ".";
-  return begin +
-         (drive_Pa > softest.limit_Pa ? "balloons near "
-                                      : "is near ballooning, " + percents(drive_Pa / softest.limit_Pa) + " of ") +
-         kilopascals(softest.limit_Pa) + ": test the silicone that you cast, or " + lower_to(safe_Pa) + ".";
+  if (drive_Pa <= softest.safe_Pa())
+    return begin + "is safe, too, up to " + kilopascals(io::rounded_towards_rest(softest.safe_Pa())) + ".";
+  return begin + danger_text(softest, drive_Pa) + ": " + test_or_lower(softest);
 }
 
 /// What both laws say of a drive. That which a body may not bear comes first: it is what a reader has to know.
@@ -98,28 +107,24 @@ std::vector<std::string> verdict_by_laws(const meshes::Robot& robot, double limi
   if (drive_Pa > own.safe_Pa()) {
     lines.push_back(overload_verdict(own, drive_Pa));
     if (softest) lines.push_back(softest_verdict(*softest, drive_Pa));
-    return lines;
-  }
-  if (softest && drive_Pa > meshes::largest_safe_share * softest->limit_Pa) {
-    const bool balloons = drive_Pa > softest->limit_Pa;
+  } else if (softest && drive_Pa > softest->safe_Pa()) {
     lines.push_back("Your silicone decides whether it bears its pressure of " + kilopascals(drive_Pa) +
-                    ": by the softest law of " + robot.record.name + " (" + softest->text + ") " +
-                    (balloons ? "it balloons near " + kilopascals(softest->limit_Pa)
-                              : "that is " + percents(drive_Pa / softest->limit_Pa) + " of the " +
-                                    kilopascals(softest->limit_Pa) + " at which it balloons") +
-                    ". Test the silicone that you cast, or " + lower_to(meshes::largest_safe_share * softest->limit_Pa) + ".");
-    lines.push_back("By its own law (" + meshes::law_text(robot.law, robot.record) + ") it bears it, and is " + safe_text(own));
-    return lines;
+                    ": by the softest law of " + robot.record.name + " (" + softest->text + ") it " +
+                    danger_text(*softest, drive_Pa) + ", so " + test_or_lower(*softest));
+    lines.push_back("By the law of its file (" + meshes::law_text(robot.law, robot.record) + ") it bears it, and is " +
+                    safe_text(own));
+  } else {
+    lines.push_back("It bears its pressure of " + kilopascals(drive_Pa) + ": " + safe_text(own));
+    if (softest) lines.push_back(softest_verdict(*softest, drive_Pa));
   }
-  lines.push_back("It bears its pressure of " + kilopascals(drive_Pa) + ": " + safe_text(own));
-  if (softest) lines.push_back(softest_verdict(*softest, drive_Pa));
   return lines;
 }
 
-/// The line on the softest law alone, where the other law has no equilibrium to tell of; none where the robot has that law.
+/// Adds the line on the softest law behind one that says that the elements do not know, if that law does not bear the drive.
 void add_softest(const meshes::Robot& robot, double limit_Pa, std::vector<std::string>& lines) {
-  if (const auto softest = softest_law(robot, meshes::least_limit_of_thin_walls_Pa(limit_Pa)))
-    lines.push_back(softest_verdict(*softest, drive_pressure_Pa(robot)[1]));
+  const auto softest = softest_law(robot, meshes::least_limit_of_thin_walls_Pa(limit_Pa));
+  const double drive_Pa = drive_pressure_Pa(robot)[1];
+  if (softest && drive_Pa > softest->safe_Pa()) lines.push_back(softest_verdict(*softest, drive_Pa));
 }
 
 /// That the body loses its equilibrium below the pressure of its drive on the elements of the validation; empty unless it does.

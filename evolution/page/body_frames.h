@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 #include "evolution/page/report_page.h"
 
 namespace menger::evolution {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 
 namespace menger::evolution {
 

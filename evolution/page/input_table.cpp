@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "evolution/outputs/json_parts.h"
+#include "evolution/outputs/report_numbers.h"
 #include "evolution/page/chamber_names.h"
-#include "evolution/page/json_parts.h"
-#include "evolution/page/report_numbers.h"
 #include "io/shown/shown_column.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/content_hash.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 #include "evolution/page/report_page.h"
 
 namespace menger::evolution {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "evolution/page/verdict.h"
+#include "evolution/verdict/verdict.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"

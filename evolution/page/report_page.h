@@ -8,36 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "evolution/verdict/finding.h"
+
 namespace menger::evolution {
-
-/// What a finding means for the use of the results.
-enum class Tone {
-  note,     ///< to be known, without a judgement
-  good,     ///< can be relied on
-  caution,  ///< to be used with care
-  bad,      ///< not to be relied on
-  missing   ///< was not computed
-};
-
-/// Returns the word for a tone, as the page's classes have it: "good", "caution", ...
-const char* to_string(Tone tone);
-
-/// A sentence of the verdict.
-struct Finding {
-  Tone tone = Tone::missing;
-  std::string text{};
-  std::string
-      source;  ///< where its numbers come from: files relative to the folder of the report, or a command that computes them
-};
-
-/// The verdict: what the results say, in words.
-struct Verdict {
-  std::string headline{};               ///< one or two sentences
-  std::vector<std::string> came_out{};  ///< what the loop said of these results; if there are some, they stand for the headline
-  std::vector<std::string> forecast{};  ///< what the loop said before its stages: law, expected error, warnings
-  Tone tone = Tone::missing;
-  std::vector<Finding> findings{};
-};
 
 /// A table of text for people. Numbers are rounded; units are in the titles of the columns.
 struct PageTable {
@@ -110,6 +83,9 @@ struct PageBody {
   std::vector<std::array<double, 3>> centres_m{};   ///< of the body, one per frame
   std::vector<double> travelled_m{};  ///< horizontal displacement of the centre of mass, one per frame; may be empty
 };
+
+/// Pictures or frames of a stroke: fewer show another motion than there is.
+inline constexpr double least_per_stroke = 5.0;
 
 /// Bodies that move on one clock, beside each other.
 struct PageScene {

@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "evolution/loop/loop_verdict_file.h"
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
+#include "evolution/outputs/result_facts.h"
 #include "evolution/page/input_table.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
-#include "evolution/page/result_facts.h"
-#include "evolution/page/verdict.h"
 #include "evolution/page/walk_animation.h"
+#include "evolution/verdict/verdict.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"

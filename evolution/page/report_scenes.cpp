@@ -8,9 +8,9 @@
 #include <map>
 #include <optional>
 
+#include "evolution/outputs/report_numbers.h"
+#include "evolution/outputs/result_facts.h"
 #include "evolution/page/body_frames.h"
-#include "evolution/page/report_numbers.h"
-#include "evolution/page/result_facts.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
 #include "io/text/formatted.h"
@@ -160,7 +160,8 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
     const fs::path both = output.folder / "winner" / "both.pvd";
     if (command_of(output) != "reevaluate" || !io::is_file(both)) continue;
     plans.push_back({.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
-                               .source = file_of(output, "winner/both.pvd")},
+                               .source = file_of(output, "winner/both.pvd"),
+                               .frequency_Hz = output.stated.frequency_Hz},
                      .place = output.name,
                      .parts = {{.name = "finite elements",
                                 .folder = output.folder,
@@ -231,7 +232,8 @@ void plan_champions(const std::vector<CommandOutput>& outputs, std::vector<Scene
       // A walk on finite elements has a manifest, and is found as any other.
       if (!io::is_file(place / "frames.pvd") || io::is_file(place / "manifest.json")) continue;
       plans.push_back({.scene = {.title = "Champion of the search at level " + std::to_string(level),
-                                 .source = file_of(output, name + "/frames.pvd")},
+                                 .source = file_of(output, name + "/frames.pvd"),
+                                 .frequency_Hz = output.stated.frequency_Hz},
                        .place = output.name,
                        .parts = {{.name = "voxels",
                                   .folder = output.folder,
@@ -293,21 +295,6 @@ std::size_t bytes_of(const PageScene& scene) {
   return bytes;
 }
 
-/// That what is shown between the frames of a body is a guess, where it has few of them; otherwise empty.
-std::string guess_text(const PageBody& body, std::size_t frames, const std::optional<double>& frequency_Hz) {
-  constexpr double enough_per_stroke = 5.0;
-  std::string text = "Of " + body.name + ", ";
-  const double strokes = frequency_Hz.value_or(0.0) * (body.times.back() - body.times.front());
-  const double per_stroke = strokes > 0.0 ? static_cast<double>(body.times.size() - 1) / strokes : enough_per_stroke;
-  if (body.times.size() < frames)
-    text += std::to_string(body.times.size()) + " of " + std::to_string(frames) + " frames are shown";
-  else if (strokes > 1.0 && per_stroke < enough_per_stroke)
-    text += "there are " + io::shown(per_stroke, 2) + " frames in a stroke";
-  else
-    return "";
-  return text + "; between them the motion is a guess along straight lines.";
-}
-
 std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes, std::vector<std::string>& notes) {
   PageScene scene = plan.scene;
   const auto add_note = [&](const std::string& words) {
@@ -324,7 +311,7 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
                                       .has_phases = part.has_phases,
                                       .body = part.body,
                                       .held_cell_m = part.held_cell_m});
-      if (const std::string guessed = guess_text(body, found->frames.size(), scene.frequency_Hz); !guessed.empty())
+      if (const std::string guessed = guess_text(body, found->frames.size(), scene.frequency_Hz.value_or(0.0)); !guessed.empty())
         add_note(guessed);
       if (!part.trajectory.empty()) body.travelled_m = travelled_m(part.trajectory, body.times);
       scene.bodies.push_back(std::move(body));
@@ -345,6 +332,19 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
 }
 
 }  // namespace
+
+std::string guess_text(const PageBody& body, std::size_t frames, double frequency_Hz) {
+  const double strokes = frequency_Hz * (body.times.back() - body.times.front());
+  const auto between = static_cast<double>(body.times.size() - 1);
+  constexpr double rounding = 0.01;  // times of voxels are multiples of a step
+  const std::string name = body.name == "surrogate" ? "the surrogate" : body.name;
+  std::string few;
+  if (strokes > 1.0 && between / strokes < least_per_stroke - rounding)
+    few = "frames shown of a stroke: " + io::shown(between / strokes, 2);
+  else if (strokes <= 1.0 && 2 * body.times.size() < frames)
+    few = std::to_string(body.times.size()) + " of " + std::to_string(frames) + " frames are shown";
+  return few.empty() ? "" : "Of " + name + ", " + few + "; between them the motion is a guess along straight lines.";
+}
 
 std::vector<PageScene> read_scenes(const std::vector<CommandOutput>& outputs, std::size_t most_bytes,
                                    std::vector<std::string>& notes) {

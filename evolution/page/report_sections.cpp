@@ -12,12 +12,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "evolution/outputs/json_parts.h"
+#include "evolution/outputs/report_numbers.h"
+#include "evolution/outputs/result_facts.h"
+#include "evolution/outputs/search_tables.h"
 #include "evolution/page/chamber_names.h"
 #include "evolution/page/chart_points.h"
-#include "evolution/page/json_parts.h"
-#include "evolution/page/report_numbers.h"
-#include "evolution/page/result_facts.h"
-#include "evolution/page/search_tables.h"
 #include "evolution/page/shown_table.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/csv_table.h"
@@ -400,7 +400,8 @@ std::string worst_text(const io::CsvContents& summary, std::size_t row, bool has
 }
 
 /// The errors of a validation in per cent. Of one body alone, the sums over all bodies repeat its own numbers, and are left out.
-PageTable summary_table(const io::CsvContents& summary, const std::string& file, const BodyName& name_of) {
+/// @param is_of_loop whether the finite elements are those of the stage validate of a loop
+PageTable summary_table(const io::CsvContents& summary, const std::string& file, const BodyName& name_of, bool is_of_loop) {
   const std::vector<std::string> bodies = distinct(summary, "body");
   const bool is_one = std::ranges::count_if(bodies, [](const std::string& body) { return body != "all"; }) == 1;
   const bool has_cases = distinct(summary, "worst_case").size() > 1;
@@ -412,9 +413,12 @@ PageTable summary_table(const io::CsvContents& summary, const std::string& file,
       .note =
           "An error is a difference from finite elements, as a share of the largest value in its curve: where that is small, a "
           "small difference is a large share. The height of the top is that of the middle of the body, seen from above, over its "
-          "lowest faces. The finite elements are quadratic, one through a wall, and up to 16 % too large themselves where walls "
-          "span single cells (fem/README.md). More columns: " +
-          file + "."};
+          "lowest faces. " +
+          std::string(is_of_loop
+                          ? "The finite elements are quadratic, one through a wall, and up to 16 % too large themselves where "
+                            "walls span single cells (fem/README.md). "
+                          : "") +
+          "More columns: " + file + "."};
   const bool has_lengths = summary.has("furthest_m");  // not in results of earlier versions
   if (has_lengths) {
     table.columns.insert(table.columns.end(), {"furthest off by (mm)", "furthest off in"});
@@ -474,7 +478,8 @@ void add_validation(const CommandOutput& output, const CommandOutput* loop, Page
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   if (!chart.series.empty()) section.charts.push_back(std::move(chart));
-  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv"), name_of));
+  section.tables.push_back(summary_table(io::read_csv(output.folder / "summary.csv"), file_of(output, "summary.csv"), name_of,
+                                         loop != nullptr && output.place == "validate"));
   if (has_file(output, "volume_actuation.csv")) {
     const io::CsvContents actuation = io::read_csv(output.folder / "volume_actuation.csv");
     std::vector<std::string> columns{"body", "chamber_share", "highest_pressure_Pa", "change_at_highest", "limit_pressure_Pa"};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "evolution/page/report_numbers.h"
+#include "evolution/outputs/report_numbers.h"
 
 namespace menger::evolution {
 

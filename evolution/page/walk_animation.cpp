@@ -20,8 +20,8 @@
 #include <system_error>
 #include <vector>
 
+#include "evolution/outputs/report_numbers.h"
 #include "evolution/page/body_frames.h"
-#include "evolution/page/report_numbers.h"
 #include "io/picture/picture_series.h"
 #include "io/picture/scale_bar.h"
 #include "io/process/child_program.h"
@@ -174,7 +174,7 @@ class WalkPictures {
     const double bar_m = io::scale_bar_length(0.3 * std::max(world_.size(0), world_.size(1)));
     const voxel::Vector begin{floor.low[0], floor.low[1], below(1)};
     voxel::add_trail(*renderer_, std::vector<voxel::Vector>{begin, {begin[0] + bar_m, begin[1], begin[2]}});
-    const std::string caption = walk_caption(scene_, time, pace_.slower, bar_m);
+    const std::string caption = walk_caption(scene_, time, pace_, bar_m);
     constexpr std::size_t widest = 104;  // letters of this size that fit
     voxel::add_caption(*renderer_, caption, 0.5, caption.size() <= widest ? 15 : 12);
     voxel::Extent seen = seen_;
@@ -203,7 +203,7 @@ class WalkPictures {
 
 }  // namespace
 
-std::string walk_caption(const PageScene& scene, double time, int slower, double bar_m) {
+std::string walk_caption(const PageScene& scene, double time, const AnimationPace& pace, double bar_m) {
   std::string text;
   const std::vector<PageBody>& bodies = scene.bodies;
   if (bodies.size() == 2)
@@ -212,23 +212,27 @@ std::string walk_caption(const PageScene& scene, double time, int slower, double
   if (scene.angle_deg) text += io::degrees(*scene.angle_deg) + " apart at the end, ";
   if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
   text += io::formatted("%.2f s", time);
-  if (slower > 1) text += ", shown " + std::to_string(slower) + " times slower";
+  if (pace.slower > 1) text += ", shown " + std::to_string(pace.slower) + " times slower";
+  constexpr double rounding = 0.01;
+  if (pace.pictures_per_stroke && *pace.pictures_per_stroke < least_per_stroke - rounding)
+    text += ", " + io::shown(*pace.pictures_per_stroke, 2) + " pictures in a stroke";
   return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
 }
 
 AnimationPace pace_of(double duration_s, double strokes) {
   constexpr double least_s = 4.0;
   constexpr double usual_per_s = 12.5;
-  constexpr double most_per_s = 25.0;
-  constexpr double pictures_per_stroke = 5.0;  // fewer show another motion than there is
+  constexpr double most_per_s = 25.0;  // pictures of a GIF last whole hundredths of a second
   constexpr double most_pictures = 250.0;
   AnimationPace pace;
-  const double of_strokes = std::min(pictures_per_stroke * strokes, most_pictures);
+  const double of_strokes = std::min(std::ceil(least_per_stroke * strokes), most_pictures);
   const auto shown_s = [&] { return duration_s * pace.slower; };
   while (pace.slower < 8 && (shown_s() < least_s || of_strokes > most_per_s * shown_s())) pace.slower *= 2;
-  const double pictures = std::clamp(std::max(std::ceil(usual_per_s * shown_s()), std::ceil(of_strokes)), 2.0, most_pictures);
+  const double most = std::clamp(std::floor(most_per_s * shown_s()), 2.0, most_pictures);
+  const double pictures = std::clamp(std::max(std::ceil(usual_per_s * shown_s()), of_strokes), 2.0, most);
   pace.pictures = static_cast<std::size_t>(pictures);
-  pace.pictures_per_s = shown_s() > 0.0 ? pictures / shown_s() : usual_per_s;
+  pace.pictures_per_s = shown_s() > 0.0 ? std::min(pictures / shown_s(), most_per_s) : usual_per_s;
+  if (strokes > 0.0) pace.pictures_per_stroke = pictures / strokes;
   return pace;
 }
 

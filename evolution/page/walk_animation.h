@@ -14,10 +14,11 @@ namespace menger::evolution {
 /// How a motion is shown in time: a short one, or one with fast strokes, slower than it is, so that it can be followed.
 struct AnimationPace {
   int slower = 1;               ///< how many times: 1, 2, 4 or 8
-  std::size_t pictures = 0;     ///< at most 250
-  double pictures_per_s = 0.0;  ///< 12.5, or up to 25 where strokes need it
+  std::size_t pictures = 0;     ///< 2 to 250
+  double pictures_per_s = 0.0;  ///< at most 25; 12.5 unless strokes need more, or a long motion has room for less
+  std::optional<double> pictures_per_stroke{};
 };
-/// @param strokes of the drive in that time, of which each gets five pictures where there is room; 0 without a drive
+/// @param strokes of the drive in that time, of which each gets least_per_stroke pictures where there is room; 0 without a drive
 AnimationPace pace_of(double duration_s, double strokes);
 
 /// What became of an animation.
@@ -31,8 +32,8 @@ struct AnimationOutcome {
 std::optional<std::filesystem::path> find_ffmpeg();
 
 /// Returns the words below a picture of a walk: how far each body has come at a time, or when it ended before; the time, and the
-/// length of the bar. @param slower see AnimationPace
-std::string walk_caption(const PageScene& scene, double time, int slower, double bar_m);
+/// length of the bar; and where there are too few pictures of a stroke to see it.
+std::string walk_caption(const PageScene& scene, double time, const AnimationPace& pace, double bar_m);
 
 /// Draws the walk of a scene as an animation (GIF), whole or not at all: its bodies on the ground with shadows and paths, the
 /// time, and the length of a bar. Pictures are drawn by VTK without a screen and joined by ffmpeg.

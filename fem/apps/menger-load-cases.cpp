@@ -62,7 +62,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     fem::LoadCaseStudy study;
     describe(visitor, study);
   });
-  app.add_option("set", arguments.set, "set of load cases, or robot.toml of menger init: those that its voxels are fitted to")
+  app.add_option("set", arguments.set,
+                 "set of load cases, or robot.toml of menger init or its folder: those that its voxels are fitted to")
       ->required();
   app.add_option("-o,--output", arguments.folder,
                  "folder of the results (default: the name of the set file; of a robot, its folder in results)");

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "meshes/load_cases/shape_agreement.h"
+
 namespace menger::fem {
 namespace {
 
@@ -66,8 +68,9 @@ std::string note_on_coarse_walls(const InflationStudy& study) {
          " of " + std::to_string(source->design.body.count()) + " cells walls span one cell, and displacements are expected " +
          expected + "; " + (is_linear ? "element.degree = 2 with " : "") +
          "design.elements_through_wall = 2 brings this below 1 %; elements.kind = \"thin_wall\" takes less time and is some 5 % "
-         "off, "
-         "but fingers bend 14 to 32 % too little on it";
+         "off, but "
+         "fingers bend " +
+         meshes::thin_wall_bend_deficit_text() + " too little on it";
 }
 
 }  // namespace menger::fem

@@ -14,11 +14,11 @@
 #include "fem/walk/walk.h"
 #include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
-#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
+#include "meshes/load_cases/walk_agreement.h"
 
 namespace menger::fem {
 namespace {
@@ -117,7 +117,7 @@ class LocomotionRun {
   void draw() {
     const WalkRecord& last = result_.records.back();
     const Point moved = difference(last.centre_of_mass_m, result_.records.front().centre_of_mass_m);
-    const std::string caption = io::moved_text(study_.design.name, result_.time_s, moved[0], moved[1]);
+    const std::string caption = meshes::moved_text(study_.design.name, result_.time_s, moved[0], moved[1]);
     const std::vector<double> displacements = dynamics_->displacements_m();
     const std::vector<double> velocities = dynamics_->velocities_m_per_s();
     const io::PictureOutcome robot =

@@ -19,10 +19,13 @@ struct LocomotionOutput {
   std::size_t records_per_frame = 10;  ///< >= 1
 };
 
-/// Returns how many records there are per frame if a study does not say: so many that each stroke has eight frames or more, which
-/// tells a stroke from the next one and shows its shape, that no more than 0.1 s lie between two frames, and that a walk has no
-/// more than 300 frames. A record is the least.
-/// @param frequency_Hz of the drive, > 0; nothing without a drive
+/// Frames of a walk whose study does not say how many there are, at most. Pages of reports show as many.
+inline constexpr std::size_t most_frames_of_walk = 300;
+
+/// Returns how many records there are per frame if a study does not say: so many that each stroke has eight frames, which tells a
+/// stroke from the next one and shows its shape, and that no more than 0.1 s lie between two. There are no more frames than
+/// records, nor than most_frames_of_walk.
+/// @param frequency_Hz of the strokes of the drive, > 0; nothing without strokes
 std::size_t usual_records_per_frame(double record_interval_s, double duration_s, std::optional<double> frequency_Hz);
 
 /// The sweep of a study: some of its numbers take several values, with one run for each.

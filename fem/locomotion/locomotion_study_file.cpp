@@ -1,7 +1,6 @@
 #include "fem/locomotion/locomotion_study_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -175,13 +174,13 @@ void describe_output(io::StudyVisitor& visitor, LocomotionStudy& study) {
   visitor.boolean({"frames", "Whether frames for ParaView are written."}, output.frames);
   visitor.boolean({"pictures", "Whether PNG pictures are made."}, output.pictures);
   if (visitor.source() != nullptr) {
-    const auto frequency_Hz = study.drive ? std::optional(study.drive->frequency_Hz) : std::nullopt;
+    const auto frequency_Hz = study.drive ? stroke_frequency_Hz(*study.drive) : std::nullopt;
     output.records_per_frame = usual_records_per_frame(study.record_interval_s, study.duration_s, frequency_Hz);
   }
   visitor.integer(
       {"records_per_frame",
-       "Lines of trajectory.csv per frame. If not given: so many that a stroke of the drive has 8 frames or more and a "
-       "second 10, but a walk no more than 300."},
+       "Lines of trajectory.csv per frame. If not given: so many that a stroke of the drive has 8 frames and a second 10, "
+       "if there are so many lines, but a walk no more than 300."},
       output.records_per_frame, io::at_least(1));
 }
 
@@ -223,18 +222,6 @@ void complete(const io::TomlTable& top, LocomotionStudy& study) {
 }
 
 }  // namespace
-
-std::size_t usual_records_per_frame(double record_interval_s, double duration_s, std::optional<double> frequency_Hz) {
-  constexpr double frames_per_stroke = 8.0;
-  constexpr double longest_interval_s = 0.1;
-  constexpr double most_frames = 300.0;
-  double interval_s = longest_interval_s;
-  if (frequency_Hz) interval_s = std::min(interval_s, 1.0 / (frames_per_stroke * *frequency_Hz));
-  interval_s = std::max(interval_s, duration_s / most_frames);
-  // A hair more, so that 0.1 s of 0.01 s are ten records.
-  constexpr double rounding = 1e-9;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(interval_s / record_interval_s + rounding)));
-}
 
 void describe(io::StudyVisitor& visitor, LocomotionStudy& study) {
   describe_version(visitor);

@@ -56,6 +56,11 @@ std::vector<double> plenum_phases(const SurrogateDrive& drive, const meshes::Mod
 
 }  // namespace
 
+std::optional<double> stroke_frequency_Hz(const SurrogateDrive& drive) {
+  if (drive.mode == DriveMode::none || drive.mode == DriveMode::hold) return std::nullopt;
+  return drive.frequency_Hz;
+}
+
 std::vector<PlenumSchedule> plenum_schedules(const SurrogateDrive& drive, const meshes::Design& design,
                                              const meshes::HollowBodyOptions& hollow, const meshes::HexahedralMesh& mesh) {
   const auto& [lowest_Pa, highest_Pa] = drive.pressure_Pa;

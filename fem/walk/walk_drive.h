@@ -33,6 +33,9 @@ struct SurrogateDrive {
   bool wave_over_gaps = false;
 };
 
+/// Returns the frequency of the strokes of a drive; nothing for one that does nothing or holds its pressure.
+std::optional<double> stroke_frequency_Hz(const SurrogateDrive& drive);
+
 /// Returns one schedule per plenum.
 /// @param mesh of the design, hollowed out with these options
 /// @throws WalkInputError for a plenum whose cells differ in phase, because they share their air

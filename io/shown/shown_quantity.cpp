@@ -46,9 +46,4 @@ std::string body_lengths(double number) {
   return text + (text == "1" ? " body length" : " body lengths");
 }
 
-std::string moved_text(const std::string& name, double time_s, double x_m, double y_m) {
-  return name + " after " + shown(time_s, 3) + " s: its centre moved by (" + formatted("%.2f", 1e3 * x_m) + ", " +
-         formatted("%.2f", 1e3 * y_m) + ") mm";
-}
-
 }  // namespace menger::io

@@ -27,7 +27,4 @@ std::string degrees(double angle_deg);
 /// "0.32 body lengths", "1 body length": two significant digits; less than 1e-4 is told as 0.
 std::string body_lengths(double number);
 
-/// "table after 5 s: its centre moved by (14.20, -0.31) mm": the title of a picture of a walk, the same in all programs
-std::string moved_text(const std::string& name, double time_s, double x_m, double y_m);
-
 }  // namespace menger::io

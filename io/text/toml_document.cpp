@@ -231,7 +231,7 @@ InputError TomlTable::missing(std::string_view keys, std::string_view reason) co
 
 void TomlTable::finish() const {
   std::vector<std::string> faults;
-  std::multimap<std::string, std::string, std::less<>> everywhere;
+  Node::Names everywhere;
   node_->collect_asked(everywhere);
   node_->collect_unasked(everywhere, faults);
   if (faults.empty()) return;

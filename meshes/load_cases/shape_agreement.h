@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace menger::meshes {
 
@@ -9,16 +10,12 @@ namespace menger::meshes {
 /// displacement goes the wrong way. It is a choice; it decides words, never numbers.
 inline constexpr double largest_shape_error = 0.15;
 
-/// By how much less fingers of thin walls bend than those of quadratic elements with two layers through the wall, at least
-/// (`fine`) and at most (`draft`), of what they bend (fem/README.md, Walk).
-inline constexpr double least_thin_wall_bend_deficit = 0.14;
-inline constexpr double largest_thin_wall_bend_deficit = 0.32;
-
 /// By how much more fingers bend on quadratic elements with one layer through the wall, at most (likewise).
 inline constexpr double largest_quadratic_bend_excess = 0.03;
 
-/// "14 to 32 %": that deficit
-std::string thin_wall_bend_deficit_text();
+/// Returns by how much less fingers of thin walls bend than those of quadratic elements with two layers through the wall, of what
+/// they bend (fem/README.md, Walk): "17 to 23 %". @param fidelity "draft", "standard" or "fine"; otherwise that of all of them
+std::string thin_wall_bend_deficit_text(std::string_view fidelity = {});
 
 /// Displacements of at least this, in m, are large enough that a surrogate should give them the right sign.
 inline constexpr double smallest_signed_m = 2e-4;

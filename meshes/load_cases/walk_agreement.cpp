@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/text/formatted.h"
+
 namespace menger::meshes {
 
 double direction_deg(double x_m, double y_m) { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
@@ -16,6 +18,14 @@ double angle_between(double a_deg, double b_deg) {
 bool last_as_long(double a_s, double b_s) {
   constexpr double largest_share = 0.01;
   return std::abs(a_s - b_s) <= largest_share * std::max(a_s, b_s);
+}
+
+std::string moved_text(const std::string& name, double time_s, double x_m, double y_m) {
+  const auto hundredths_mm = [](double length_m) {
+    return io::formatted("%.2f", std::round(1e5 * length_m) / 1e2 + 0.0);  // no "-0.00"
+  };
+  return name + " after " + io::shown(time_s, 3) + " s: its centre moved by (" + hundredths_mm(x_m) + ", " + hundredths_mm(y_m) +
+         ") mm";
 }
 
 WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace menger::meshes {
 
@@ -32,6 +33,9 @@ double angle_between(double a_deg, double b_deg);
 
 /// Returns whether two walks last equally long but for a few steps of time: distances of others are not compared.
 bool last_as_long(double a_s, double b_s);
+
+/// "table after 5 s: its centre moved by (14.20, -0.31) mm": the title of a picture of a walk, the same in all programs
+std::string moved_text(const std::string& name, double time_s, double x_m, double y_m);
 
 /// Compares two walks by their speeds and directions. Directions agree if one of them is not known.
 WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b);

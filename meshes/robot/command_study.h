@@ -15,9 +15,9 @@ struct CommandStudy {
 /// Returns the robot.toml of a folder that has one; anything else as it is.
 std::filesystem::path robot_file_in(const std::filesystem::path& given);
 
-/// Returns the study of a command that was given a file, or the folder of a robot. A study is used as it is; its folder has its name. From a robot
-/// (is_robot_file) the study is derived and written where `menger loop` has it; so is the folder. If a search finds the body, it
-/// is that of the search's champion.
+/// Returns the study of a command that was given a file, or the folder of a robot. A study is used as it is; its folder has its
+/// name. From a robot (is_robot_file) the study is derived and written where `menger loop` has it; so is the folder. If a search
+/// finds the body, it is that of the search's champion.
 /// @param output the folder that the user names, which takes the studies of a robot, too; empty: none
 /// @param has_own_fit whether the user names what a fit would give: the curves of a calibration, the parameters of a validation
 /// @throws io::InputError if the robot is wrong, has no such study, has no body yet, or needs a fit that has not been made

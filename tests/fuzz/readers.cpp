@@ -8,8 +8,8 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/loop/loop_state.h"
+#include "evolution/outputs/command_outputs.h"
 #include "evolution/page/body_frames.h"
-#include "evolution/page/command_outputs.h"
 #include "evolution/reevaluation/search_comparison.h"
 #include "evolution/reference/reevaluation_study.h"
 #include "evolution/study/study_file.h"

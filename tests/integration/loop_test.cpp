@@ -78,6 +78,9 @@ TEST_F(LoopProgram, RobotsAreStudiesOfTheOtherCommandsToo) {
     EXPECT_EQ(outcome.code, 0) << command << outcome.out << outcome.err;
     expect_has(outcome.out, std::string("mine/results/") + command);
   }
+  const Outcome folder = run({"mesh", "mine"});
+  EXPECT_EQ(folder.code, 0) << folder.err;
+  expect_has(folder.out, "mine/results/mesh");
   const Outcome none = run({"calibrate", "mine/robot.toml"});
   EXPECT_EQ(none.code, 2);
   expect_has(none.err, "menger comes with voxels for these cells; to fit them anew, first menger loop mine/robot.toml --fit");

@@ -120,7 +120,7 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
   }
   window.AddRenderer(renderer);
   const double aspect = static_cast<double>(style.picture.width_px) / style.picture.height_px;
-  aim(*renderer, view, seen, aspect, !captions.empty() || !style.title.empty() ? 0.08 : 0.04);
+  aim(*renderer, view, seen, aspect, !style.title.empty() ? 0.14 : captions.empty() ? 0.04 : 0.08);
   const double picture_width = 2.0 * renderer->GetActiveCamera()->GetParallelScale() * aspect;
   for (std::size_t i = 0; i < captions.size(); ++i) {
     add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, font_size);

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/fractal.h"
+#include "meshes/load_cases/walk_agreement.h"
 #include "voxel/picture/preview.h"
 #include "voxel/picture/vtk_output.h"
 #include "voxel/scene/body_pieces.h"
@@ -123,10 +123,12 @@ class SceneRun {
   void draw() {
     std::vector<std::array<double, 3>> trail;
     for (const TrajectoryPoint& point : result_.trajectory) trail.push_back(point.centre_of_mass_m);
-    const std::array<double, 3> moved_m = displacement_m(result_.trajectory, result_.trajectory.back());
+    // A run that was cut short shows its last frame.
+    const TrajectoryPoint shown = point_at(result_.trajectory, last_frame_.time_s);
+    const std::array<double, 3> moved_m = displacement_m(result_.trajectory, shown);
     const io::PictureOutcome robot = render_robot(
         folder_ / "robot.png", last_frame_, trail,
-        {.floor = scene_.physics.floor, .title = io::moved_text(scene_.design.name, result_.time_s, moved_m[0], moved_m[1])});
+        {.floor = scene_.physics.floor, .title = meshes::moved_text(scene_.design.name, shown.time_s, moved_m[0], moved_m[1])});
     if (!robot.written) {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;

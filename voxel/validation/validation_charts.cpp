@@ -1,6 +1,7 @@
 #include "voxel/validation/validation_charts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,21 +19,26 @@ namespace {
 constexpr int panel_width_px = 900;
 constexpr int panel_height_px = 850;
 
-/// Whether an error is shown: those inside the range of validity, or all where nothing lies inside.
+/// Whether an error is shown: of each kind those inside the range of validity, or all where nothing of it lies inside.
 class Shown {
  public:
-  explicit Shown(const std::vector<CurveComparison>& comparisons)
-      : has_inside_(std::ranges::any_of(comparisons, [](const CurveComparison& comparison) {
-          return std::ranges::any_of(comparison.errors,
-                                     [](const ObservableError& error) { return error.validity == Validity::inside; });
-        })) {}
-  [[nodiscard]] bool has_inside() const { return has_inside_; }
+  explicit Shown(const std::vector<CurveComparison>& comparisons) {
+    for (const CurveComparison& comparison : comparisons)
+      for (const ObservableError& error : comparison.errors)
+        if (std::isfinite(error.error)) (error.validity == Validity::inside ? inside_ : outside_).at(of(error.kind)) = true;
+  }
   [[nodiscard]] bool operator()(const ObservableError& error) const {
-    return std::isfinite(error.error) && (!has_inside_ || error.validity == Validity::inside);
+    return std::isfinite(error.error) && (error.validity == Validity::inside || !inside_.at(of(error.kind)));
+  }
+  [[nodiscard]] bool is_outside(ObservableKind kind) const { return outside_.at(of(kind)) && !inside_.at(of(kind)); }
+  [[nodiscard]] bool is_all_outside() const {
+    return std::ranges::find(outside_, true) != outside_.end() && std::ranges::find(inside_, true) == inside_.end();
   }
 
  private:
-  bool has_inside_;
+  static std::size_t of(ObservableKind kind) { return static_cast<std::size_t>(kind); }
+  std::array<bool, observable_kind_count> inside_{};
+  std::array<bool, observable_kind_count> outside_{};
 };
 
 io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, const Shown& is_shown, double aim) {
@@ -45,7 +51,8 @@ io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, con
     std::vector<double> magnitudes;
     for (const CurveComparison& comparison : comparisons) {
       for (const ObservableError& error : comparison.errors) {
-        if (is_shown(error) && error.kind == static_cast<ObservableKind>(kind)) magnitudes.push_back(100.0 * std::abs(error.error));
+        if (is_shown(error) && error.kind == static_cast<ObservableKind>(kind))
+          magnitudes.push_back(100.0 * std::abs(error.error));
       }
     }
     if (magnitudes.empty()) continue;
@@ -63,11 +70,12 @@ io::ChartPanel spread_panel(const std::vector<CurveComparison>& comparisons, con
 
 io::ChartPanel pressure_panel(const std::vector<CurveComparison>& comparisons, const Shown& is_shown, ObservableKind kind,
                               double aim) {
-  io::ChartPanel panel{.title = "error in " + std::string(to_string(kind)),
-                       .x = {.title = "pressure (kPa)"},
-                       .y = {.title = "error (% of the largest value in the curve)"},
-                       .series = {},
-                       .markers = {}};
+  io::ChartPanel panel{
+      .title = "error in " + std::string(to_string(kind)) + (is_shown.is_outside(kind) ? ", outside the range of validity" : ""),
+      .x = {.title = "pressure (kPa)"},
+      .y = {.title = "error (% of the largest value in the curve)"},
+      .series = {},
+      .markers = {}};
   const std::vector<std::string> bodies = bodies_of(comparisons);
   double largest = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -167,11 +175,11 @@ io::PictureOutcome write(const std::filesystem::path& file, const io::Chart& cha
 
 }  // namespace
 
-io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim) {
+io::Chart errors_chart(const std::vector<CurveComparison>& comparisons, double aim) {
   const Shown is_shown(comparisons);
   io::Chart chart{.title = std::string("surrogate against finite elements, ") +
-                           (is_shown.has_inside() ? "inside the range of validity"
-                                                  : "all outside the range of validity: nothing was compared inside"),
+                           (is_shown.is_all_outside() ? "all outside the range of validity: nothing was compared inside"
+                                                      : "inside the range of validity"),
                   .panels = {}};
   chart.panels.push_back(spread_panel(comparisons, is_shown, aim));
   // A marker must lie inside the axis.
@@ -180,7 +188,11 @@ io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vec
   chart.panels.front().x.highest = largest;
   for (const ObservableKind kind : {ObservableKind::displacement, ObservableKind::volume})
     chart.panels.push_back(pressure_panel(comparisons, is_shown, kind, aim));
-  return write(file, chart);
+  return chart;
+}
+
+io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim) {
+  return write(file, errors_chart(comparisons, aim));
 }
 
 io::Chart curve_chart(const CurveComparison& comparison) {

@@ -9,9 +9,12 @@
 
 namespace menger::voxel {
 
-/// Draws the errors inside the range of validity. One panel has, for each kind of observable, the fraction of numbers whose error
-/// is no larger; another the errors in displacement and volume over pressure, by body. @param aim error at which a line is drawn
-/// @throws io::InputError if the place cannot be written
+/// Returns the chart of the errors inside the range of validity; of a kind of observable that has none inside, of those outside.
+/// One panel has, for each kind, the fraction of numbers whose error is no larger; two others the errors in displacement and
+/// volume over pressure, by body. @param aim error at which a line is drawn
+io::Chart errors_chart(const std::vector<CurveComparison>& comparisons, double aim);
+
+/// Draws it. @throws io::InputError if the place cannot be written
 io::PictureOutcome draw_errors(const std::filesystem::path& file, const std::vector<CurveComparison>& comparisons, double aim);
 
 /// Returns the chart of a curve of both models, see draw_curve. What coincides in both models is one curve with both names.

@@ -135,7 +135,8 @@ std::string sign_sentence(const std::vector<CurveComparison>& comparisons, bool 
   if (count == 0) return "";
   return std::string(inside ? "sign: " : "sign, outside the range of validity: ") + std::to_string(count - wrong) + " of " +
          std::to_string(count) + " displacements that are at least " + io::formatted("%.1f mm", 1e3 * meshes::smallest_signed_m) +
-         " go the right way (smaller ones have none)" + (which.empty() ? "" : "; the wrong way: " + io::joined(which));
+         " go the right way (the way of smaller ones is not judged)" +
+         (which.empty() ? "" : "; the wrong way: " + io::joined(which));
 }
 
 std::string furthest_sentence(const std::vector<CurveComparison>& comparisons) {

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
+#include "evolution/outputs/result_facts.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
-#include "evolution/page/result_facts.h"
 #include "io/text/whole_file.h"
 #include "io/vtk/collection.h"
 #include "io/vtk/vtk_file.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "evolution/loop/loop_verdict_file.h"
-#include "evolution/page/command_outputs.h"
-#include "evolution/page/report_numbers.h"
+#include "evolution/outputs/command_outputs.h"
+#include "evolution/outputs/report_numbers.h"
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/walk_animation.h"
 #include "io/text/content_hash.h"
@@ -181,11 +181,15 @@ TEST(WalkAnimation, TellsWhenOneOfTwoWalksHasEnded) {
     return PageBody{.name = name, .times = {0.0, end_s}, .travelled_m = {0.0, 0.0036}};
   };
   const PageScene scene{.bodies = {body("finite elements", 2.0), body("surrogate", 5.0)}, .angle_deg = 1.0};
+  EXPECT_EQ(walk_caption(scene, 1.0, {.slower = 2}, 0.01),
+            "finite elements behind: 1.8 mm, surrogate in front: 0.7 mm, 1 degree apart at the end, 1.00 s, shown 2 times "
+            "slower, bar 10 mm");
   EXPECT_EQ(
-      walk_caption(scene, 1.0, 2, 0.01),
-      "finite elements behind: 1.8 mm, surrogate in front: 0.7 mm, 1 degree apart at the end, 1.00 s, shown 2 times slower, bar 10 mm");
-  EXPECT_EQ(walk_caption(scene, 4.84, 1, 0.01),
-            "finite elements behind: 3.6 mm (ended at 2 s), surrogate in front: 3.5 mm, 1 degree apart at the end, 4.84 s, bar 10 mm");
+      walk_caption(scene, 4.84, {}, 0.01),
+      "finite elements behind: 3.6 mm (ended at 2 s), surrogate in front: 3.5 mm, 1 degree apart at the end, 4.84 s, bar 10 mm");
+  EXPECT_NE(walk_caption(scene, 4.84, {.pictures_per_stroke = 1.4}, 0.01).find("4.84 s, 1.4 pictures in a stroke, bar"),
+            std::string::npos);
+  EXPECT_EQ(walk_caption(scene, 4.84, {.pictures_per_stroke = 4.999}, 0.01).find("stroke"), std::string::npos);
 }
 
 TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
@@ -486,6 +490,18 @@ TEST(ReportRun, FollowsNoFrameOutOfItsResults) {
   EXPECT_FALSE(result.has_motion);
 }
 
+TEST(GuessText, SaysWhereFramesDoNotShowAStroke) {
+  PageBody body{.name = "surrogate"};
+  for (int n = 0; n <= 50; ++n) body.times.push_back(0.1 * n);
+  EXPECT_EQ(guess_text(body, 51, 10.0),
+            "Of the surrogate, frames shown of a stroke: 1; between them the motion is a guess along straight lines.");
+  EXPECT_EQ(guess_text(body, 51, 2.0), "") << "five of each";
+  EXPECT_EQ(guess_text(body, 51, 2.001), "") << "times are multiples of a step";
+  EXPECT_NE(guess_text(body, 51, 4.0).find("of a stroke: 2.5"), std::string::npos);
+  EXPECT_EQ(guess_text(body, 52, 0.0), "");
+  EXPECT_NE(guess_text(body, 200, 0.0).find("51 of 200 frames are shown"), std::string::npos);
+}
+
 TEST(AnimationPace, ShowsShortWalksSlower) {
   EXPECT_EQ(pace_of(5.0, 0.0).slower, 1);
   EXPECT_EQ(pace_of(2.0, 0.0).slower, 2);
@@ -504,6 +520,11 @@ TEST(AnimationPace, ResolvesEachStroke) {
   EXPECT_EQ(pace_of(5.0, 50.0).slower, 2);
   EXPECT_DOUBLE_EQ(pace_of(5.0, 50.0).pictures_per_s, 25.0);
   EXPECT_EQ(pace_of(5.0, 500.0).pictures, 250U) << "as many as there is room for";
+  EXPECT_DOUBLE_EQ(pace_of(5.0, 500.0).pictures_per_stroke.value(), 0.5);
+  for (const double duration_s : {0.001, 0.1, 1.0, 5.0, 60.0})
+    for (const double frequency_Hz : {0.0, 1.0, 10.0, 50.0, 1000.0})
+      EXPECT_LE(pace_of(duration_s, duration_s * frequency_Hz).pictures_per_s, 25.0)
+          << duration_s << " s, " << frequency_Hz << " Hz";
 }
 
 TEST(ReportNumbers, HaveNoSignAtNought) {

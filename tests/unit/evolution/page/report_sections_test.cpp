@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "evolution/outputs/result_facts.h"
 #include "evolution/page/input_table.h"
-#include "evolution/page/result_facts.h"
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 

@@ -54,10 +54,23 @@ TEST(LocomotionStudy, HasFramesThatResolveEachStroke) {
   EXPECT_EQ(usual_records_per_frame(0.01, 5.0, 3.0), 4U) << "8.3 frames of a stroke";
   EXPECT_EQ(usual_records_per_frame(0.01, 2.0, 10.0), 1U);
   EXPECT_EQ(usual_records_per_frame(0.01, 2.0, 100.0), 1U) << "a record is the least";
-  EXPECT_EQ(usual_records_per_frame(0.001, 5.0, 10.0), 16U) << "300 frames of the walk, not 400";
-  EXPECT_EQ(usual_records_per_frame(0.01, 60.0, 3.0), 20U);
+  EXPECT_EQ(usual_records_per_frame(0.01, 5.0, 10.0), 2U) << "251 frames of the walk, not 501";
   const std::string slow_drive = "[drive]\nmode = \"in_phase\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 5\n";
   EXPECT_EQ(sample_study(cube + silicone + ground + slow_drive + time).output.records_per_frame, 2U);
+  const std::string held = "[drive]\nmode = \"hold\"\npressure_Pa = [0, 4000]\nfrequency_Hz = 5\n";
+  EXPECT_EQ(sample_study(cube + silicone + ground + held + time).output.records_per_frame, 10U) << "it has no strokes";
+}
+
+TEST(LocomotionStudy, HasAsManyFramesAsAPageShowsAtMost) {
+  for (const double duration_s : {0.1, 1.0, 5.0, 29.99, 30.0, 60.0, 1000.0}) {
+    for (const double interval_s : {0.001, 0.01, 1.0 / 30.0, 0.1}) {
+      for (const double frequency_Hz : {0.5, 3.0, 10.0, 50.0}) {
+        const auto per_frame = static_cast<double>(usual_records_per_frame(interval_s, duration_s, frequency_Hz));
+        const double records = std::ceil(duration_s / interval_s);
+        EXPECT_LE(2.0 + std::floor(records / per_frame), static_cast<double>(most_frames_of_walk)) << duration_s << " s";
+      }
+    }
+  }
 }
 
 TEST(LocomotionStudy, SurfacesRubAsOnTheGroundUnlessStated) {

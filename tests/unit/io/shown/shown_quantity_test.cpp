@@ -35,10 +35,6 @@ TEST(ShownQuantity, SpeaksOfOneBodyLength) {
   EXPECT_EQ(body_lengths(2.25), "2.2 body lengths");
 }
 
-TEST(ShownQuantity, TitlesThePictureOfAWalk) {
-  EXPECT_EQ(moved_text("table", 5.0, 0.0142, -0.00031), "table after 5 s: its centre moved by (14.20, -0.31) mm");
-}
-
 TEST(ShownQuantity, DegreesAreWhole) {
   EXPECT_EQ(degrees(1.2), "1 degree");
   EXPECT_EQ(degrees(-1.2), "-1 degree");

@@ -209,6 +209,18 @@ TEST(TomlTable, SuggestsOptionalKeysToo) {
             "folder/study.toml:1: levl: unknown key, did you mean level?");
 }
 
+TEST(TomlTable, SuggestsTheTableThatHasTheKeyOnceForAllItsEntries) {
+  const TomlTable table =
+      parsed("[drive]\nsupply = 1\n[[pressure]]\nsupply = 1\n[[pressure]]\nsupply = 2\n[form]\nsupply.a = 1\n");
+  (void)table.table("drive").integer_or("supplies", 1);
+  (void)table.table("form");
+  for (const TomlTable& pressure : table.tables("pressure")) (void)pressure.integer("supply");
+  const std::string found = message([&] { table.finish(); });
+  EXPECT_NE(found.find("drive.supply: unknown key, did you mean pressure.supply?"), std::string::npos) << found;
+  EXPECT_NE(found.find("form.supply: unknown key"), std::string::npos) << found;
+  EXPECT_EQ(found.find("form.supply: unknown key, did"), std::string::npos) << "a table is no number: " << found;
+}
+
 TEST(TomlTable, SuggestsTheTableThatHasTheKey) {
   const TomlTable table = parsed("[elements]\ndegree = 2\ncount = 1\n");
   (void)table.table("elements").integer_or("size", 1);

@@ -31,5 +31,10 @@ TEST(WalkAgreement, TakesAFewStepsForNoDifferenceInTime) {
   EXPECT_FALSE(last_as_long(5.0, 2.0));
 }
 
+TEST(WalkAgreement, TitlesThePictureOfAWalk) {
+  EXPECT_EQ(moved_text("table", 5.0, 0.0142, -0.00031), "table after 5 s: its centre moved by (14.20, -0.31) mm");
+  EXPECT_EQ(moved_text("table", 5.0, -1e-6, 0.0), "table after 5 s: its centre moved by (0.00, 0.00) mm");
+}
+
 }  // namespace
 }  // namespace menger::meshes

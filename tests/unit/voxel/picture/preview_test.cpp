@@ -75,6 +75,14 @@ TEST_F(Preview, DrawsBothMaterialsOnWhite) {
   EXPECT_GT(pixels.white, all / 5);
 }
 
+TEST_F(Preview, ATitleTakesRoomFromTheRobot) {
+  const io::PictureOutcome outcome = render_robot(folder_ / "plain.png", two_cubes(), {}, {small_});
+  if (!outcome.written) GTEST_SKIP() << outcome.missing;
+  ASSERT_TRUE(render_robot(folder_ / "titled.png", two_cubes(), {}, {.picture = small_, .title = "two cubes after 5 s"}).written);
+  EXPECT_LT(count_pixels(folder_ / "titled.png").blue, count_pixels(folder_ / "plain.png").blue);
+  EXPECT_GT(count_pixels(folder_ / "titled.png").blue, 0);
+}
+
 TEST_F(Preview, ALargerRobotInARowIsDrawnLarger) {
   Frame small = two_cubes();
   small.material = {1, 1};

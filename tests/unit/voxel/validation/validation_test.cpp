@@ -87,10 +87,10 @@ TEST(Validation, CountsDisplacementsThatGoTheWrongWay) {
                                         {.body = "bar", .observable = "extent_y_m", .count = 2, .wrong = 1},
                                         {.body = "bar", .observable = "top_m", .count = 1, .wrong = 1}};
   EXPECT_EQ(count_signs(comparisons), expected);
-  EXPECT_EQ(
-      sign_sentence(comparisons, true),
-      "sign: 3 of 5 displacements that are at least 0.2 mm go the right way (smaller ones have none); the wrong way: bar extent_y_m (1 of 2), bar top_m (1 "
-      "of 1)");
+  EXPECT_EQ(sign_sentence(comparisons, true),
+            "sign: 3 of 5 displacements that are at least 0.2 mm go the right way (the way of smaller ones is not judged); the "
+            "wrong way: bar extent_y_m (1 of 2), bar top_m (1 "
+            "of 1)");
   EXPECT_EQ(sign_sentence(comparisons, false), "");
   std::vector<CurveComparison> beyond = comparisons;
   for (ObservableError& error : beyond[0].errors) error.validity = Validity::size;
@@ -306,6 +306,23 @@ CurveComparison with_errors(const std::string& body, const std::vector<double>& 
                                  .validity = validity});
   }
   return comparison;
+}
+
+TEST(ErrorsChart, ShowsWhatLiesOutsideTheRangeOnlyWhereNothingLiesInside) {
+  const CurveComparison inside = with_errors("a", {0.01, -0.03});
+  const CurveComparison outside = with_errors("b", {0.9, -1.2}, Validity::pressure);
+  const io::Chart both = errors_chart({inside, outside}, 0.1);
+  EXPECT_EQ(both.title, "surrogate against finite elements, inside the range of validity");
+  ASSERT_EQ(both.panels.size(), 3U);
+  ASSERT_EQ(both.panels[2].series.size(), 1U);
+  EXPECT_EQ(both.panels[2].series[0].name, "a");
+  EXPECT_EQ(both.panels[1].title, "error in displacement") << "there is none";
+  const io::Chart alone = errors_chart({outside}, 0.1);
+  EXPECT_EQ(alone.title, "surrogate against finite elements, all outside the range of validity: nothing was compared inside");
+  EXPECT_EQ(alone.panels[2].title, "error in volume, outside the range of validity");
+  ASSERT_EQ(alone.panels[2].series.size(), 1U);
+  EXPECT_EQ(alone.panels[2].series[0].y.size(), 2U);
+  EXPECT_TRUE(errors_chart({}, 0.1).panels[2].series.empty());
 }
 
 TEST(ValidationSummary, KeepsWhatLiesOutsideTheRangeApart) {

@@ -1,4 +1,4 @@
-#include "evolution/page/search_tables.h"
+#include "evolution/outputs/search_tables.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
-#include "evolution/page/result_facts.h"
+#include "evolution/outputs/result_facts.h"
 #include "io/text/content_hash.h"
 #include "tests/support/silicone_archive.h"
 #include "tests/support/test_folder.h"

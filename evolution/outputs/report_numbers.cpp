@@ -1,4 +1,4 @@
-#include "evolution/page/report_numbers.h"
+#include "evolution/outputs/report_numbers.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "evolution/page/verdict.h"
+#include "evolution/verdict/verdict.h"
 
 #include <gtest/gtest.h>
 
@@ -178,7 +178,8 @@ TEST(Verdict, TellsADirectionThatMeshesAgreeOn) {
 TEST(Verdict, ClaimsNoMoreThanThePressureThatWasReached) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .volume_growth = 0.68}};
-  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 4.8 kPa at least, 20 % or more below the 6 kPa to which"));
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with(
+      "Usable up to 4.8 kPa at least, 20 % or more below 6 kPa, to which it was inflated."));
   EXPECT_NE(
       finding_with(verdict_of(facts), "How far this is from ballooning was not computed (path.volume_ratio, or menger loop).")
           .text,
@@ -220,10 +221,10 @@ TEST(Verdict, TakesTheLimitPressureOfAnyInflationOfOneBody) {
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 2.43 kPa, 20 % or more below 3.04 kPa, where"));
   facts.inflations.back().limit.reset();
   facts.inflations.back().status = io::RunStatus::completed;
-  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 2.43 kPa at least, 20 % or more below the 3.04 kPa to which"));
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 2.43 kPa at least, 20 % or more below 3.04 kPa, to which"));
   facts.inflations.back().stated.elements = "thin_wall";
   EXPECT_TRUE(verdict_of(facts).headline.starts_with("Usable up to 2.17 kPa at least")) << verdict_of(facts).headline;
-  EXPECT_NE(finding_with(verdict_of(facts), ", and thin walls balloon 6 to 12 % too late.").text, "");
+  EXPECT_NE(finding_with(verdict_of(facts), "; thin walls balloon 6 to 12 % too late.").text, "");
 }
 
 TEST(Verdict, HasNoPressureInTheHeadlineForSeveralWallsOrSilicones) {
@@ -562,17 +563,76 @@ TEST(Verdict, JudgesByTheWorstOfSeveralValidations) {
   EXPECT_EQ(verdict_of(facts).headline,
             "Whether the surrogate can be trusted is not known: no shape was compared inside its range.");
   facts.validations.front() = {.source = "c", .bodies = 1, .outside = 9, .displacement_outside = 0.044};
-  EXPECT_EQ(
-      verdict_of(facts).headline,
-      "The surrogate's shapes are close to finite elements, though outside the range of its fit; its walks were not compared.");
+  EXPECT_EQ(verdict_of(facts).headline,
+            "The surrogate's shapes are close to finite elements, though some outside the range of its fit; its walks were not "
+            "compared.");
   facts.validations.front().displacement_outside = 0.5;
   EXPECT_EQ(verdict_of(facts).headline, "Do not trust the surrogate's shapes; its walks were not compared.");
+}
+
+TEST(Verdict, SaysWhetherADriveIsSafeByThePressureThatABodyBore) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0, .stated = {.body = table}}};
+  facts.walks = {walk(WalkModel::elements, 0.8, 0.0)};
+  facts.walks.front().stated = {.body = table, .highest_pressure_Pa = 6000.0};
+  EXPECT_TRUE(
+      verdict_of(facts).headline.starts_with("Usable up to 4.8 kPa at least, 20 % or more below 6 kPa, to which it was inflated. "
+                                             "Whether its drive of 6 kPa is safe is not "
+                                             "known."))
+      << verdict_of(facts).headline;
+  EXPECT_EQ(finding_with(verdict_of(facts), "is safe is not known").tone, Tone::caution);
+  facts.walks.front().stated.highest_pressure_Pa = 4000.0;
+  EXPECT_EQ(verdict_of(facts).headline.find("not known"), std::string::npos) << verdict_of(facts).headline;
+  facts.inflations.push_back(
+      {.place = "limit", .status = io::RunStatus::not_converged, .highest_pressure_Pa = 9000.0, .stated = {.body = table}});
+  EXPECT_NE(finding_with(verdict_of(facts), "No limit pressure was found up to 9 kPa.").text, "") << "the stage of a loop ran";
+}
+
+TEST(Verdict, TakesTheInflationThatFoundNoEquilibriumBeforeOneThatWentFurther) {
+  ReportFacts facts;
+  facts.inflations = {
+      {.place = "thin",
+       .status = io::RunStatus::completed,
+       .highest_pressure_Pa = 6000.0,
+       .stated = {.body = table, .elements = "thin_wall"}},
+      {.place = "quadratic", .status = io::RunStatus::limit_point, .highest_pressure_Pa = 5000.0, .stated = {.body = table}}};
+  EXPECT_TRUE(verdict_of(facts).headline.starts_with(
+      "Usable up to 4 kPa, 20 % or more below 5 kPa, beyond which the body balloons or buckles."))
+      << verdict_of(facts).headline;
+}
+
+TEST(Verdict, NamesTheSofterLawWhereItDecides) {
+  ReportFacts facts;
+  facts.inflations = {{.place = "limit",
+                       .status = io::RunStatus::limit_point,
+                       .highest_pressure_Pa = 12000.0,
+                       .limit = meshes::LimitPressure{12000.0, "plenum 0"},
+                       .stated = {.body = table}}};
+  facts.walks = {walk(WalkModel::elements, 0.8, 0.0)};
+  facts.walks.front().stated = {.body = table, .highest_pressure_Pa = 6000.0};
+  facts.softest_limit_Pa = 5000.0;
+  EXPECT_TRUE(
+      verdict_of(facts).headline.starts_with("The silicone decides whether the drive of 6 kPa is safe: by its softest law the "
+                                             "body balloons near 5 kPa, by its own at 12 "
+                                             "kPa."))
+      << verdict_of(facts).headline;
+}
+
+TEST(Verdict, CallsAVacuumByItsName) {
+  ReportFacts facts;
+  facts.inflations = {{.status = io::RunStatus::limit_point, .highest_pressure_Pa = 0.0, .lowest_pressure_Pa = -3000.0}};
+  EXPECT_NE(
+      finding_with(verdict_of(facts), "Evacuated to -3 kPa. Beyond it no equilibrium was found (limit point): the body buckles.")
+          .text,
+      "");
+  facts.inflations.front().status = io::RunStatus::not_converged;
+  EXPECT_NE(finding_with(verdict_of(facts), "Evacuated to -3 kPa only (not_converged)").text, "");
 }
 
 TEST(Verdict, DoesNotSpeakOfASurrogateThatNothingIsAbout) {
   ReportFacts facts;
   facts.inflations = {{.status = io::RunStatus::completed, .highest_pressure_Pa = 6000.0}};
-  const std::string usable = "Usable up to 4.8 kPa at least, 20 % or more below the 6 kPa to which it was inflated.";
+  const std::string usable = "Usable up to 4.8 kPa at least, 20 % or more below 6 kPa, to which it was inflated.";
   EXPECT_EQ(verdict_of(facts).headline, usable);
   facts.walks = {walk(WalkModel::elements, 0.8, 0.0)};
   EXPECT_EQ(verdict_of(facts).headline, usable + " Nothing here compares the surrogate with finite elements on a whole body.");

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 #include "io/text/csv_table.h"
 
 namespace menger::evolution {

@@ -1,4 +1,4 @@
-#include "evolution/page/stated_run.h"
+#include "evolution/outputs/stated_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "evolution/page/json_parts.h"
+#include "evolution/outputs/json_parts.h"
 #include "io/text/formatted.h"
 
 namespace menger::evolution {
@@ -170,11 +170,14 @@ StatedRun stated_run(const json& parameters) {
         first_text(parameters, {{"surrogate", "values", "holds_for"}, {"surrogate", "parameters", "holds_for"}}, "law"));
   }
   if (const json* supports = object_of(parameters, "supports")) run.supports = text_of(*supports, "kind");
-  if (const json* elements = object_of(parameters, "elements")) run.elements = text_of(*elements, "kind");
+  if (const json* elements = object_of(parameters, "elements")) {
+    run.elements = text_of(*elements, "kind");
+    run.fidelity = text_of(*elements, "fidelity");
+  }
   if (const json* drive = object_of(parameters, "drive")) {
     run.drive = drive_of(*drive);
     run.highest_pressure_Pa = highest_in(*drive, "pressure_Pa");
-    run.frequency_Hz = number_of(*drive, "frequency_Hz");
+    if (text_of(*drive, "mode") != "hold") run.frequency_Hz = number_of(*drive, "frequency_Hz");
   }
   run.static_friction = first_number(parameters, {{"ground"}}, "static_friction");
   run.kinetic_friction = first_number(parameters, {{"ground"}}, "kinetic_friction");

@@ -1,4 +1,4 @@
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 
 #include <gtest/gtest.h>
 

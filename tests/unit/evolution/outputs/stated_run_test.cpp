@@ -1,4 +1,4 @@
-#include "evolution/page/stated_run.h"
+#include "evolution/outputs/stated_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "evolution/page/search_tables.h"
+#include "evolution/outputs/search_tables.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "evolution/page/result_facts.h"
+#include "evolution/outputs/result_facts.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "evolution/findings/inflation_result.h"
-#include "evolution/page/report_numbers.h"
-#include "evolution/page/search_tables.h"
+#include "evolution/outputs/report_numbers.h"
+#include "evolution/outputs/search_tables.h"
 #include "evolution/posture/fall.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"

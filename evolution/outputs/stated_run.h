@@ -23,8 +23,9 @@ struct StatedRun {
   std::string law{};                            ///< kind and numbers of the hyperelastic law, in a form that can be compared
   std::string supports{};                       ///< of an inflation: "free", "ground_guided", ...
   std::string elements{};                       ///< kind of the finite elements: "thin_wall", "three_field"
+  std::string fidelity{};                       ///< of thin walls: "draft", "standard", "fine"
   std::optional<double> highest_pressure_Pa{};  ///< of the drive
-  std::optional<double> frequency_Hz{};         ///< of the drive
+  std::optional<double> frequency_Hz{};         ///< of the strokes of the drive; nothing for one that holds its pressure
   std::string drive{};  ///< what decides the motion of the drive, in a form that can be compared; empty without one
   std::optional<double> static_friction{};   ///< of the ground
   std::optional<double> kinetic_friction{};  ///< likewise

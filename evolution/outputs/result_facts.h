@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 #include "evolution/posture/bend.h"
 #include "io/text/run_status.h"
 #include "meshes/load_cases/limit_pressure.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "evolution/page/stated_run.h"
+#include "evolution/outputs/stated_run.h"
 
 namespace menger::evolution {
 

@@ -1,11 +1,11 @@
-#include "evolution/page/command_outputs.h"
+#include "evolution/outputs/command_outputs.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
-#include "evolution/page/json_parts.h"
+#include "evolution/outputs/json_parts.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/text/whole_file.h"
