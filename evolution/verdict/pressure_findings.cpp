@@ -223,10 +223,11 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
     if (share > safe)
       return "The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure of " +
              io::kilopascals(limit_Pa) + where + (share > 1.0 ? "." : meaning_of_share(share, safe) + ".") + " ";
-    if (known.drive_Pa && known.softest_limit_Pa && *known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa)
+    if (known.drive_Pa && known.softest_limit_Pa && *known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa) {
       return "The silicone decides whether the drive of " + io::kilopascals(*known.drive_Pa) +
              " is safe: by its softest law the body balloons near " + io::kilopascals(*known.softest_limit_Pa) +
              ", by its own at " + io::kilopascals(limit_Pa) + ". ";
+    }
     return "Usable up to " + safe_text(one, limit_Pa, "") + where + ". ";
   }
   if (!one.highest_pressure_Pa || *one.highest_pressure_Pa <= 0.0) return {};

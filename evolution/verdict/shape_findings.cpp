@@ -5,6 +5,7 @@
 
 #include "evolution/verdict/finding_words.h"
 #include "io/shown/shown_quantity.h"
+#include "io/text/formatted.h"
 #include "io/text/joined_text.h"
 #include "meshes/load_cases/shape_agreement.h"
 
