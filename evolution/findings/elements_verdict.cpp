@@ -43,9 +43,10 @@ std::string elements_verdict(const fs::path& results, const meshes::Robot& robot
     const double quadratic = 1.0 + compared.number(row, "finite_elements");
     const double difference = std::abs(quadratic / thin - 1.0);
     if (difference <= same_growth) return "";
-    return "At " + kilopascals(drive_Pa) + " its chamber is known to " + percents(difference) + ": " +
-           io::formatted("%.2f", thin) + " times its volume at rest by thin walls" + inflate_supports(robot) + ", " +
-           io::formatted("%.2f", quadratic) + " times by quadratic elements" + validate_supports(robot) + "." +
+    return "At " + kilopascals(drive_Pa) + " two kinds of finite elements differ by " + percents(difference) +
+           " in its chamber: " + io::formatted("%.2f", thin) + " times its volume at rest by thin walls" +
+           inflate_supports(robot) + ", " + io::formatted("%.2f", quadratic) + " times by quadratic elements" +
+           validate_supports(robot) + "." +
            (robot.walks ? " The ground holds the body back: part of the difference is that." : "");
   }
   return "";

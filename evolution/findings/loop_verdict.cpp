@@ -28,7 +28,7 @@ std::vector<std::string> loop_verdict(const fs::path& results, const meshes::Rob
       add(elements_verdict(results, robot));
       add(bend_verdict(results, robot));
     }
-    if (is_validated) add(shape_verdict(results));
+    if (is_validated) add(shape_verdict(results, robot));
     for (const std::string& line : walk_verdict(results, robot, stages)) add(line);
     if (stages.contains("evolve")) add(search_verdict(results, robot));
   } catch (const io::InputError&) {

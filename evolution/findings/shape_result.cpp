@@ -146,7 +146,7 @@ std::string shape_text(const fs::path& results, const meshes::Robot& robot) {
   return text;
 }
 
-std::string shape_verdict(const fs::path& results) {
+std::string shape_verdict(const fs::path& results, const meshes::Robot& robot) {
   const auto found = shape_errors(results);
   if (!found) return "";
   const ShapeErrors& errors = *found;
@@ -154,16 +154,18 @@ std::string shape_verdict(const fs::path& results) {
   if (!errors.displacement) return "The surrogate gives this body no shape that can be compared.";
   const double displacement = std::max(*errors.displacement, errors.displacement_beyond.value_or(0.0));
   const double volume = std::max(errors.volume.value_or(0.0), errors.volume_beyond.value_or(0.0));
+  const std::string at_one_pressure =
+      robot.drive == meshes::RobotDrive::antiphase ? " with all its chambers at one pressure, which its drive never has" : "";
   if (meshes::is_shape_close(displacement, volume, errors.wrong_signs)) {
-    std::string well = "The surrogate takes the shape of this body well";
-    if (!errors.is_inside)
-      well += ", " + median_text(errors) + " off in the median, though all that was compared lies outside what the fit covers";
-    return well + (compared.empty() ? "." : ", " + compared + ".");
+    std::string well = "The surrogate takes the shape of this body well" + at_one_pressure + ": " + median_text(errors) +
+                       " off in the median" + (errors.furthest ? ", furthest off" + furthest_text(errors) : "");
+    if (!errors.is_inside) well += "; all that was compared lies outside what the fit covers";
+    return well + (compared.empty() ? "." : "; " + compared + ".");
   }
   std::string reasons = medians_text(errors);
   if (errors.wrong_signs > 0) reasons += "; " + wrong_way_text(errors);
   if (!compared.empty()) reasons += "; " + compared;
-  return "Do not trust the surrogate's shape of this body: " + reasons + ". See validate/worst.png.";
+  return "Do not trust the surrogate's shape of this body" + at_one_pressure + ": " + reasons + ". See validate/worst.png.";
 }
 
 }  // namespace menger::evolution

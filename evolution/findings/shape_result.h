@@ -12,6 +12,6 @@ std::string shape_text(const std::filesystem::path& results, const meshes::Robot
 
 /// Returns whether the surrogate's shape of the robot is to be trusted, in a sentence; empty if it was not compared.
 /// @throws io::InputError if a result cannot be read
-std::string shape_verdict(const std::filesystem::path& results);
+std::string shape_verdict(const std::filesystem::path& results, const meshes::Robot& robot);
 
 }  // namespace menger::evolution

@@ -72,6 +72,13 @@ bool is_symmetric_along(const FoundWalk& walk, const meshes::Robot& robot) {
   return is_mirror_image(robot, std::abs(walk.x_m) >= std::abs(walk.y_m));
 }
 
+/// That chance decides where a body goes that is its own mirror image along its walk; empty for others.
+std::string chance_text(const FoundWalk& walk, const meshes::Robot& robot) {
+  if (!is_symmetric_along(walk, robot)) return "";
+  return std::string(" The body is its own mirror image along ") + (std::abs(walk.x_m) >= std::abs(walk.y_m) ? "x" : "y") +
+         ": chance decides which way it goes.";
+}
+
 /// Whether two walks of different distances tell the direction of a walk.
 bool is_direction_known(const FoundWalk& coarser, const FoundWalk& finer, const meshes::Robot& robot) {
   return have_one_direction(coarser, finer) && !is_symmetric_along(finer, robot);
@@ -83,7 +90,8 @@ std::string mesh_verdict(const FoundWalk& coarser, const FoundWalk& finer, const
   if (agreement(coarser, finer) == meshes::WalkAgreement::both_go_nowhere) {
     return "It does not walk on finite elements of two meshes: it ends within " +
            percents(meshes::walk_limits::least_body_lengths) + " of its length from where it began" +
-           (robot.evolves ? "; the search has found no walker: give it more generations or mutants ([search])." : ".");
+           (robot.evolves ? "; the search has found no walker: give it more generations or mutants ([search])." : ".") +
+           chance_text(finer, robot);
   }
   const std::string on_meshes = " on finite elements of two meshes";
   if (agree(coarser, finer)) return "Finite elements of two meshes agree on the walk: " + both(coarser, finer) + ".";
@@ -91,7 +99,7 @@ std::string mesh_verdict(const FoundWalk& coarser, const FoundWalk& finer, const
     const FoundWalk& none = is_walk(coarser) ? finer : coarser;
     return "Whether it walks is not known: it moves " + millimetres(coarser.distance_m()) + " and " +
            millimetres(finer.distance_m()) + on_meshes + ", and " + millimetres(none.distance_m()) +
-           (none.fell_s ? " is a fall." : " is no walk.");
+           (none.fell_s ? " is a fall." : " is no walk.") + chance_text(is_walk(coarser) ? coarser : finer, robot);
   }
   if (is_direction_known(coarser, finer, robot))
     return "The direction of its walk is known, its distance is not: " + both(coarser, finer) + on_meshes + ".";

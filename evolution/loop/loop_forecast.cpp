@@ -38,7 +38,8 @@ std::string source_text(const meshes::Robot& robot, const fs::path& parameters) 
     case meshes::ParameterSource::fitted:
       return "surrogate: " +
              std::string(robot.fits_anew ? "parameters are fitted anew for " : "menger comes with no parameters for ") +
-             of_these_cells(robot) + (robot.fits_anew ? " (minutes)" : ": they are fitted (minutes)");
+             of_these_cells(robot) + (robot.fits_anew ? "" : ": they are fitted") +
+             ", which takes some five minutes of an idle machine; --until limit ends before";
   }
   return "";
 }

@@ -397,7 +397,7 @@ class LoopRun {
     state_->set(stage.name, record);
 
     begin_line(n);
-    if (goes_on && record.has_ended()) out_ << "(went on from where it was stopped) ";
+    if (goes_on && record.has_ended() && !stage.begins_anew) out_ << "(went on from where it was stopped) ";
     tell(stage, record, outcome);
     is_line_begun_ = false;
     if (record.status == StageStatus::interrupted) return io::exit_code::interrupted;
@@ -420,7 +420,7 @@ class LoopRun {
     next_told_s_ = seconds + request_.tell_every_s;
     std::string text = "runs for " + io::duration_text(seconds);
     if (!earlier_time_.empty()) text += ", took " + earlier_time_ + " before";
-    if (told && told->part > 0.0 && told->part < 1.0) text += ", has done " + io::percents(told->part) + " of its present job";
+    if (told && told->part > 0.0 && told->part < 1.0) text += ", " + io::percents(told->part) + " of its present job are done";
     if (told && !told->note.empty()) text += " (" + told->note + ")";
     begin_line(n);
     out_ << text << "; see " << shown(log_of(stage)) << std::endl;

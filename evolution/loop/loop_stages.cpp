@@ -58,6 +58,7 @@ class Stages {
   void add_body() {
     LoopStage& mesh = add(RobotStudy::mesh, "menger-mesh", mesh_s);
     mesh.arguments = {study_name(RobotStudy::mesh), "-o", "mesh/mesh.vtu"};
+    mesh.begins_anew = true;
     for (const RobotStudy study : {RobotStudy::inflate, RobotStudy::limit})
       add(study, "menger-inflate", inflate_s).may_restart = true;
   }
@@ -68,6 +69,7 @@ class Stages {
     LoopStage& fit = add(RobotStudy::calibrate, "menger-calibrate", calibrate_s);
     fit.needs.push_back("load_cases");
     fit.follows.push_back("load_cases");
+    fit.begins_anew = true;
   }
 
   void add_surrogate() {
@@ -83,6 +85,7 @@ class Stages {
     if (!robot_.walks) return;
     LoopStage& simulate = add(RobotStudy::simulate, "menger-simulate", simulate_s);
     add_parameters(simulate);
+    simulate.begins_anew = true;
     // It repeats the errors that the validation found.
     if (is_validated && parameter_source(robot_) == meshes::ParameterSource::fitted) simulate.follows.emplace_back("validate");
   }

@@ -27,6 +27,7 @@ struct LoopStage {
   bool needs_body = false;           ///< whether it needs the body that a search may find
   bool is_driven = false;            ///< whether it takes the body through the pressures of its drive
   bool may_restart = false;          ///< whether the program takes --restart, and refuses a folder of another study without it
+  bool begins_anew = false;          ///< whether the program keeps nothing of a run that was stopped
   bool is_set_aside = false;         ///< whether its earlier folder is kept elsewhere when another study takes its place
   bool is_usable_early = false;      ///< whether other stages can use results that ended with a numerical outcome
   double expected_s = 1.0;           ///< rough wall time on an idle core

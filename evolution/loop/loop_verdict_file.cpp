@@ -13,9 +13,11 @@ namespace menger::evolution {
 
 namespace fs = std::filesystem;
 
-bool LoopVerdict::is_current(const fs::path& results_folder) const {
-  return std::ranges::all_of(
-      results, [&](const auto& result) { return io::hash_of_results(results_folder / result.first) == result.second; });
+std::vector<std::string> LoopVerdict::changed(const fs::path& results_folder) const {
+  std::vector<std::string> folders;
+  for (const auto& [manifest, hash] : results)
+    if (io::hash_of_results(results_folder / manifest) != hash) folders.push_back(fs::path(manifest).parent_path().string());
+  return folders;
 }
 
 void write_loop_verdict(const fs::path& results, const LoopVerdict& verdict) {

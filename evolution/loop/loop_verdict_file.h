@@ -21,8 +21,9 @@ struct LoopVerdict {
   std::map<std::string, std::string> left_behind{};
   std::optional<double> softest_limit_Pa{};  ///< at which the body balloons by the softest law of its silicone, if that is softer
 
-  /// Whether the folder still has the results that the sentences are about.
-  [[nodiscard]] bool is_current(const std::filesystem::path& results_folder) const;
+  /// The folders of the results that the sentences are about and that have changed since, such as "simulate"; none: it is
+  /// current.
+  [[nodiscard]] std::vector<std::string> changed(const std::filesystem::path& results_folder) const;
 };
 
 /// Writes it into the folder of the results. @throws io::InputError if it cannot be written

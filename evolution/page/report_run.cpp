@@ -20,6 +20,7 @@
 #include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
+#include "io/text/joined_text.h"
 #include "io/text/manifest.h"
 #include "io/text/version.h"
 #include "io/text/whole_file.h"
@@ -47,23 +48,41 @@ std::optional<std::string> read_picture(const fs::path& file, std::size_t most_b
   return std::nullopt;
 }
 
+/// What a loop said of its results, as far as these are still there.
+struct KnownLoop {
+  LoopVerdict verdict{};
+  std::vector<std::string> changed{};  ///< folders of its results that have changed since
+};
+
 /// What the loop that made these results left for their report; nothing if no loop did. If they have changed since, it only tells
-/// what is of an earlier robot.
-LoopVerdict verdict_of_loop(const fs::path& folder, std::vector<std::string>& notes) {
+/// what is of an earlier robot, and the limit pressure if that has not changed.
+KnownLoop known_loop(const fs::path& folder, std::vector<std::string>& notes) {
+  KnownLoop known;
   try {
     std::optional<LoopVerdict> verdict = read_loop_verdict(folder);
-    if (!verdict) return {};
-    if (verdict->is_current(folder)) return std::move(*verdict);
-    verdict->lines.clear();
-    verdict->forecast.clear();
-    verdict->softest_limit_Pa.reset();
+    if (!verdict) return known;
+    known.verdict = std::move(*verdict);
+    known.changed = known.verdict.changed(folder);
+    if (known.changed.empty()) return known;
+    known.verdict.lines.clear();
+    known.verdict.forecast.clear();
+    if (std::ranges::find(known.changed, "limit") != known.changed.end()) known.verdict.softest_limit_Pa.reset();
     notes.push_back(std::string(loop_verdict_name) +
                     ": what the loop said came out is of earlier results, and is left out; run menger loop again");
-    return std::move(*verdict);
   } catch (const io::InputError& error) {
     notes.emplace_back(error.what());
   }
-  return {};
+  return known;
+}
+
+/// Says before the headline that the results are not of one run of the loop.
+void warn_of_changes(const std::vector<std::string>& changed, Verdict& verdict) {
+  if (changed.empty()) return;
+  verdict.headline.insert(
+      0, "The results of " + io::joined(changed) +
+             " have changed since the loop ended, and may not be of the robot that the others are of: menger loop "
+             "brings all up to date. ");
+  verdict.tone = std::max(verdict.tone == Tone::missing ? Tone::note : verdict.tone, Tone::caution);
 }
 
 /// Leaves out what stages of a loop computed for an earlier robot, unless a command by hand has taken its place since.
@@ -84,7 +103,8 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
   std::string caption;
   if (name == "chamber.png") {
     const auto inflation = std::ranges::find(inflations, output.name, &InflationFacts::place);
-    const bool is_beyond = inflation != inflations.end() && inflation->limit;
+    const bool is_beyond = inflation != inflations.end() && inflation->limit &&
+                           inflation->last_pressure_Pa.value_or(0.0) < inflation->limit->pressure_Pa - 1.0;
     caption = std::string("The body, cut open, at the end of its inflation") +
               (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
               ". Thin lines: the body at rest, grey where it was cut away.";
@@ -244,7 +264,7 @@ ReportResult write_report(const fs::path& place, const ReportOptions& options) {
   tell("look for results", 0.0);
   std::vector<CommandOutput> outputs = find_command_outputs(folder, page.notes);
   if (outputs.empty()) throw io::InputError(folder.string() + ": holds no results of a command of menger (no manifest.json)");
-  const LoopVerdict loop = verdict_of_loop(folder, page.notes);
+  const auto [loop, changed] = known_loop(folder, page.notes);
   leave_out(folder, loop.left_behind, outputs, page.notes);
   // What a loop set aside is of another robot.toml.
   if (!loop.results.empty())
@@ -262,6 +282,7 @@ ReportResult write_report(const fs::path& place, const ReportOptions& options) {
   ReportFacts facts = read_facts(outputs, page.notes);
   facts.softest_limit_Pa = loop.softest_limit_Pa;
   page.verdict = verdict_of(facts);
+  warn_of_changes(changed, page.verdict);
   page.verdict.came_out = loop.lines;
   page.verdict.forecast = loop.forecast;
   page.inputs = input_table(outputs, folder);

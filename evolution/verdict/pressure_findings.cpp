@@ -41,11 +41,15 @@ struct KnownPressures {
   std::optional<double> limit_Pa{};          ///< the lowest limit pressure of its inflations
   double safe = meshes::largest_safe_share;  ///< see safe_share; of that inflation
   std::optional<double> softest_limit_Pa{};  ///< by the softest law of its silicone
+  [[nodiscard]] bool is_softest_unsafe() const {
+    return drive_Pa && softest_limit_Pa && *drive_Pa > meshes::largest_safe_share * *softest_limit_Pa;
+  }
 };
 
 KnownPressures known_pressures(const ReportFacts& facts, const InflationFacts& inflation) {
   KnownPressures known;
-  if (inflation.place == "limit") known.softest_limit_Pa = facts.softest_limit_Pa;  // the stage of the loop
+  // The stages of the loop that are about its robot.
+  if (inflation.place == "limit" || inflation.place == "inflate") known.softest_limit_Pa = facts.softest_limit_Pa;
   for (const WalkFacts& walk : facts.walks) {
     const auto& drive_Pa = walk.stated.highest_pressure_Pa;
     if (drive_Pa && are_of_one_body(walk.stated, inflation.stated))
@@ -91,8 +95,7 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
                     meaning_of_share(share, safe_share(facts)) + ".";
   }
   if (known.drive_Pa && known.softest_limit_Pa) {
-    if (*known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa)
-      finding.tone = std::max(finding.tone, Tone::caution);
+    if (known.is_softest_unsafe()) finding.tone = std::max(finding.tone, Tone::caution);
     finding.text += " By the softest law of its silicone it balloons near " + io::kilopascals(*known.softest_limit_Pa) +
                     ", of which the drive is " + io::percents(*known.drive_Pa / *known.softest_limit_Pa) + ".";
   }
@@ -150,6 +153,7 @@ Finding completed_finding(const InflationFacts& facts, const KnownPressures& kno
     finding.text += " " + reached + " is " + share_text(share) + " the limit pressure, " + io::kilopascals(*known.limit_Pa) +
                     (share > 1.0 ? "" : meaning_of_share(share, known.safe)) + ".";
   }
+  if (known.is_softest_unsafe()) finding.tone = std::max(finding.tone, Tone::caution);
   return finding;
 }
 
@@ -223,7 +227,7 @@ std::string pressure_headline(const ReportFacts& facts, Tone& tone) {
     if (share > safe)
       return "The drive of " + io::kilopascals(*known.drive_Pa) + " is " + share_text(share) + " the limit pressure of " +
              io::kilopascals(limit_Pa) + where + (share > 1.0 ? "." : meaning_of_share(share, safe) + ".") + " ";
-    if (known.drive_Pa && known.softest_limit_Pa && *known.drive_Pa > meshes::largest_safe_share * *known.softest_limit_Pa) {
+    if (known.is_softest_unsafe()) {
       return "The silicone decides whether the drive of " + io::kilopascals(*known.drive_Pa) +
              " is safe: by its softest law the body balloons near " + io::kilopascals(*known.softest_limit_Pa) +
              ", by its own at " + io::kilopascals(limit_Pa) + ". ";

@@ -123,7 +123,7 @@ void describe_pressures(io::StudyVisitor& visitor, CaseRequest& request) {
 }
 
 /// Checks that pressures are given where the elements do not find their range well: thin walls of 2 mm on a cell of 10 mm have a
-/// limit pressure that is 6 to 12 % too high, and touch under a vacuum 11 % smaller to 24 % larger, or buckle before.
+/// limit pressure that is 1 to 12 % too high, and touch under a vacuum 11 % smaller to 24 % larger, or buckle before.
 void check_range(const io::StudyVisitor& visitor, const CaseRequest& request) {
   visitor.check(!request.elements.has_thin_walls() || !request.load_case.pressures_Pa.empty(),
                 request.pressure_fractions.empty() ? "states" : "pressure_fractions",

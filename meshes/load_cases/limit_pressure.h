@@ -18,10 +18,10 @@ inline constexpr double largest_safe_share = 0.8;
 
 /// By how much limit pressures of thin walls came out higher than those of three-field elements, at least and at most
 /// (fem/README.md, Load cases).
-inline constexpr double least_thin_wall_excess = 0.06;
+inline constexpr double least_thin_wall_excess = 0.01;
 inline constexpr double largest_thin_wall_excess = 0.12;
 
-/// "6 to 12 %": those excesses
+/// "1 to 12 %": those excesses
 std::string thin_wall_excess_text();
 
 /// Returns the least that the limit pressure of a body may be, Pa. @param limit_Pa of thin walls

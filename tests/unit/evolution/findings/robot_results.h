@@ -115,6 +115,6 @@ inline void expect_has(const std::string& text, const std::string& part) {
 }
 
 /// What follows a limit pressure in the finding of the stage limit.
-inline const std::string too_high = " by these elements, which put it 6 to 12 % too high; the drive of 3 kPa is ";
+inline const std::string too_high = " by these elements, which put it 1 to 12 % too high; the drive of 3 kPa is ";
 
 }  // namespace menger::evolution

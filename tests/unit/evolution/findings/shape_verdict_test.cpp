@@ -16,9 +16,10 @@ TEST_F(ShapeVerdict, SaysWhichPressuresWereComparedWhereACurveEndedEarly) {
       found("validate"),
       "; compared at 0.333 to 2 kPa, at no vacuum down to -2 kPa, where the finite elements ended (walls of a chamber touch)");
   write_shape_error("0.1");
-  expect_has(verdict(), "The surrogate takes the shape of this body well, compared at 0.333 to 2 kPa, at no vacuum");
+  expect_has(verdict(),
+             "The surrogate takes the shape of this body well: 10 % off in the median; compared at 0.333 to 2 kPa, at no vacuum");
   write_validated("completed", "[-2000, 2000]", "-2000\n2000\n");
-  expect_has(verdict(), "The surrogate takes the shape of this body well.");
+  expect_has(verdict(), "The surrogate takes the shape of this body well: 10 % off in the median.");
 }
 
 TEST_F(ShapeVerdict, WarnsOfShapesThatTheSurrogateMisses) {
@@ -29,7 +30,7 @@ TEST_F(ShapeVerdict, WarnsOfShapesThatTheSurrogateMisses) {
                     "body,observable,count,wrong\nrobot,extent_x_m,5," + wrong + "\nrobot,extent_y_m,5,0\n");
   };
   write("0.1", "0");
-  expect_has(verdict(), "The surrogate takes the shape of this body well.");
+  expect_has(verdict(), "The surrogate takes the shape of this body well: 10 % off in the median.");
   EXPECT_EQ(found("validate"), "shape of this body: 10 % off in displacements, 5 % in chamber volume (medians)");
   io::write_whole(folder_ / "logs/validate.txt",
                   "summary\nnote: robot_inflation: the surrogate ends after 11 of 12 states (wall_contact, walls "
@@ -48,9 +49,13 @@ TEST_F(ShapeVerdict, WarnsOfShapesThatTheSurrogateMisses) {
   write("0.3", "0");
   expect_has(verdict(), "Do not trust the surrogate's shape of this body: 30 % off");
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.05\n");
-  expect_has(verdict(),
-             "The surrogate takes the shape of this body well, 5 % off in the median, though all that was compared lies outside "
-             "what the fit covers.");
+  expect_has(
+      verdict(),
+      "The surrogate takes the shape of this body well: 5 % off in the median; all that was compared lies outside what the fit "
+      "covers.");
+  robot_.drive = meshes::RobotDrive::antiphase;
+  expect_has(verdict(), "well with all its chambers at one pressure, which its drive never has: 5 % off");
+  robot_.drive = meshes::RobotDrive::in_phase;
   io::write_whole(folder_ / "validate/summary.csv", "body,kind,range,median\nall,displacement,outside,0.25\n");
   expect_has(verdict(), "25 % off in displacements (medians), all outside what the fit covers. See validate/worst.png.");
 }
@@ -87,7 +92,7 @@ TEST_F(ShapeVerdict, WarnsOfVolumesThatTheSurrogateMisses) {
     io::write_whole(folder_ / "validate/signs.csv", "body,observable,count,wrong\nrobot,extent_x_m,5,0\n");
   };
   write("all,volume,inside,0.15\n");
-  expect_has(verdict(), "The surrogate takes the shape of this body well.");
+  expect_has(verdict(), "The surrogate takes the shape of this body well: 10 % off in the median.");
   write("all,volume,inside,0.16\n");
   expect_has(verdict(),
              "Do not trust the surrogate's shape of this body: 10 % off in displacements, 16 % in chamber volume (medians). See");

@@ -69,9 +69,17 @@ TEST_F(WalkVerdict, BlamesSymmetryOnlyWhereABodyHasIt) {
 TEST_F(WalkVerdict, SaysOnWhichMeshABodyDoesNotWalk) {
   write_walk("locomote/locomotion.toml", 0.00431, 0.0, "0.12");
   write_walk("locomote_finer/locomotion.toml", 0.0027, 0.0, "0.075");
-  expect_has(
-      verdict(),
-      "Whether it walks is not known: it moves 4.31 mm and 2.7 mm on finite elements of two meshes, and 2.7 mm is no walk.");
+  expect_has(verdict(),
+             "Whether it walks is not known: it moves 4.31 mm and 2.7 mm on finite elements of two meshes, and 2.7 mm is no "
+             "walk. The body "
+             "is its own mirror image along x: chance decides which way it goes.");
+  write_walk("locomote/locomotion.toml", 0.0, 0.002, "0.06");
+  write_walk("locomote_finer/locomotion.toml", 0.0, -0.002, "0.06");
+  expect_has(verdict(), "from where it began. The body is its own mirror image along y: chance decides which way it goes.");
+  io::write_whole(folder_ / "robot.toml",
+                  "[robot]\nlayers = [[\"110\", \"111\"]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n");
+  robot_ = meshes::read_robot(folder_ / "robot.toml");
+  EXPECT_EQ(verdict().find("mirror image"), std::string::npos) << verdict();
 }
 
 TEST_F(WalkVerdict, TellsAFallFromAWalk) {

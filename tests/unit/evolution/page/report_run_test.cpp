@@ -211,6 +211,9 @@ TEST(ReportRun, RepeatsWhatTheLoopSaidOfTheseResults) {
   const ReportResult stale = write_report(folder, quick());
   EXPECT_TRUE(stale.verdict.came_out.empty());
   EXPECT_TRUE(has_note(stale, "is of earlier results"));
+  EXPECT_TRUE(stale.verdict.headline.starts_with("The results of simulate have changed since the loop ended"))
+      << stale.verdict.headline;
+  EXPECT_EQ(stale.verdict.tone, Tone::caution);
   io::write_whole(folder / loop_verdict_name, "{}");
   EXPECT_TRUE(has_note(write_report(folder, quick()), "is no verdict of a loop"));
 }
