@@ -92,7 +92,7 @@ std::string robot_template(const StartingPoint& start, const std::string& robot_
   io::StudyTemplateWriter writer;
   writer.keep_values();
   describe(writer, robot);
-  return "# A robot of silicone: " + std::string(start.purpose) +
+  return "# A robot of silicone, begun from " + std::string(start.name) + ": " + std::string(start.purpose) +
          ".\n#   menger loop robot.toml      computes what this file asks for, and writes results/\n"
          "# Lengths are in metres, pressures in pascals (1 kPa = 1000 Pa). What stands behind a # is not used; remove the # to "
          "use it.\n\n" +
