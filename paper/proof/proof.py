@@ -6,10 +6,11 @@ proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
 proof.py missing TABLES SEED                  prints the arms of a seed that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
-proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv and progress.csv
+proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv and walks.csv
+proof.py walks RESULTS TABLES ARM SEED        adds its walks to walks.csv alone
 proof.py winners TABLES                       prints "ARM SEED INDIVIDUAL" of the winners of the better arm on finite elements
 proof.py layers RESULTS TABLES                makes layers.csv: winners with two layers of elements
-proof.py summary TABLES                       makes statistics.csv, first.csv and proof.svg
+proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv and proof.svg
 
 A score is the displacement in a period of the drive, in body lengths, in the worst of three frictions. A robot without a score does not
 walk: it counts as 0. Exit codes: 0 done, 2 wrong input.
@@ -299,6 +300,40 @@ def layer_rows(results, tables):
         yield cells
 
 
+WALKS = ["arm", "seed", "rank", "individual", "friction", "body_lengths"]
+
+
+def walks_of(results, arm, seed):
+    """The walks on fine elements of the robots of a search that were judged, one row for each friction."""
+    for rank, rows in robots_of(read_table(results / f"{arm}_{seed}.fine.csv")).items():
+        for row in rows:
+            lengths = "0" if row["reason"] else row["body_lengths"]  # it diverged, or fell
+            yield {"arm": arm, "seed": seed, "rank": rank, "individual": row["individual"], "friction": row["friction"],
+                   "body_lengths": number(float(lengths))}
+
+
+BY_FRICTION = ["arm", "friction", "searches", "first_body_lengths", "best_body_lengths"]
+
+
+def by_friction_rows(walks):
+    """Of each arm the medians over its searches: how far the first robot goes at a friction, and the best of three at it. A last row,
+    "worst", has the worst of the frictions, by which outcomes.csv counts."""
+    for arm in ARMS:
+        searches = {}
+        for row in walks:
+            if row["arm"] == arm:
+                robots = searches.setdefault(row["seed"], {})
+                robots.setdefault(int(row["rank"]), {})[row["friction"]] = float(row["body_lengths"])
+        if not searches:
+            continue
+        frictions = sorted({row["friction"] for row in walks}, key=float)
+        for friction in [*frictions, "worst"]:
+            at = (lambda robot: min(robot.values())) if friction == "worst" else (lambda robot, f=friction: robot[f])
+            yield {"arm": arm, "friction": friction, "searches": len(searches),
+                   "first_body_lengths": number(median([at(robots[min(robots)]) for robots in searches.values()])),
+                   "best_body_lengths": number(median([max(map(at, robots.values())) for robots in searches.values()]))}
+
+
 LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
 
 
@@ -377,8 +412,11 @@ def main(arguments):
                 progress = list(progress_of(results, arm, seed))
                 outcome = outcome_of(results, arm, seed)
                 add_rows(tables / "progress.csv", PROGRESS, arm, seed, progress)
+                add_rows(tables / "walks.csv", WALKS, arm, seed, list(walks_of(results, arm, seed)))
                 # the last one: a search whose outcome is there is not run again
                 add_rows(tables / "outcomes.csv", OUTCOMES, arm, seed, [outcome])
+            case ["walks", results, tables, arm, seed] if arm in ARMS:
+                add_rows(pathlib.Path(tables) / "walks.csv", WALKS, arm, seed, list(walks_of(pathlib.Path(results), arm, seed)))
             case ["winners", tables]:
                 for row in winners(pathlib.Path(tables)):
                     print(row["arm"], row["seed"], row["individual"])
@@ -389,6 +427,8 @@ def main(arguments):
                 tables = pathlib.Path(tables)
                 outcomes = outcomes_by_arm(tables)
                 write_table(tables / "statistics.csv", STATISTICS, statistics_rows(outcomes))
+                if (tables / "walks.csv").exists():
+                    write_table(tables / "by_friction.csv", BY_FRICTION, by_friction_rows(read_table(tables / "walks.csv")))
                 write_table(tables / "first.csv", STATISTICS, statistics_rows(outcomes_by_arm(tables, "first_body_lengths")))
                 (tables / "proof.svg").write_text(draw(outcomes, read_table(tables / "progress.csv")), encoding="utf-8")
             case _:

@@ -202,6 +202,13 @@ class Searches(unittest.TestCase):
         judged = table_of(self.tables / "outcomes.csv")
         of_elements = sorted(float(row["first_body_lengths"]) for row in judged if row["arm"] == "elements")
         self.assertAlmostEqual(float(first["elements", "voxels"]["median_body_lengths"]), of_elements[2])
+        walks = [row for row in table_of(self.tables / "walks.csv") if row["arm"] == "voxels" and row["seed"] == "1"]
+        frictions = {row["friction"] for row in walks}
+        by_friction = {(row["arm"], row["friction"]): row for row in table_of(self.tables / "by_friction.csv")}
+        self.assertEqual({friction for arm, friction in by_friction if arm == "voxels"}, frictions | {"worst"})
+        self.assertEqual(by_friction["voxels", "worst"]["searches"], "5")
+        for friction in frictions:
+            self.assertLessEqual(float(by_friction["voxels", "worst"]["first_body_lengths"]), float(by_friction["voxels", friction]["first_body_lengths"]))
         picture = (self.tables / "proof.svg").read_text()
         xml.dom.minidom.parseString(picture)
         for colour, _ in proof.STYLES.values():
