@@ -15,11 +15,14 @@ class ScenarioEvaluator final : public DesignEvaluator {
   /// @param scenarios an evaluator for each, at least one
   explicit ScenarioEvaluator(std::vector<std::unique_ptr<DesignEvaluator>> scenarios);
 
-  /// Evaluates a body in the first scenario.
+  /// Evaluates a body in the first scenario. The tasks that are evaluated together may have any.
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
                                                           const std::atomic<bool>& stop,
                                                           const ThreadsNow& threads) const override;
+
+  /// Divides tasks as the evaluators of their scenarios do: no group has tasks of two scenarios.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> groups(std::span<const EvaluationTask> tasks, int workers) const override;
 
   /// Returns the physics of the first scenario.
   [[nodiscard]] std::string physics() const override;

@@ -185,6 +185,14 @@ class Exporter {
     return in_scenario(study_, scenarios_of(study_).at(champion_scenario().value_or(0)));
   }
 
+  void add_note_of_scenario() {
+    if (!study_.robust) return;
+    const std::optional<std::size_t> decided = champion_scenario();
+    add_note((decided ? "the champion walks in the scenario that decided its score: "
+                      : "no scenario has decided the champion's score; it walks in the first one: ") +
+             scenario_text(scenarios_of(study_).at(decided.value_or(0))) + "; scenarios.csv has the others");
+  }
+
   /// Makes the walk of the champion on the finite elements of the search, and checks it.
   void make_walk() {
     fem::LocomotionStudy& walk = walk_;
@@ -217,12 +225,7 @@ class Exporter {
     for (const std::string& note : walked.notes) add_note(note);
     compare_with_archive(done);
     result_.levels.push_back(std::move(done));
-    if (study_.robust) {
-      const std::optional<std::size_t> decided = champion_scenario();
-      add_note((decided ? "the champion walks in the scenario that decided its score: "
-                        : "no scenario has decided the champion's score; it walks in the first one: ") +
-               scenario_text(scenarios_of(study_).at(decided.value_or(0))) + "; scenarios.csv has the others");
-    }
+    add_note_of_scenario();
     add_note(
         "the search has single modules on finite elements: only level 1 is written; menger reevaluate lets its robots walk on "
         "finer elements, and menger locomote " +
@@ -239,7 +242,7 @@ class Exporter {
     voxel::Scene scene;
     scene.design = design(level);
     scene.level = arranged() ? 1 : level;
-    scene.physics = study_.physics;
+    scene.physics = study_of_champion().physics;
     scene.duration_s = study_.duration_s;
     scene.record_interval_s = std::min(options_.record_interval_s, study_.duration_s);
     scene.output.frames = options_.frames;
@@ -284,6 +287,7 @@ class Exporter {
     if (done.scene.status != io::RunStatus::completed && result_.status == io::RunStatus::completed)
       result_.status = done.scene.status;
     for (const std::string& note : done.scene.notes) add_note(note);
+    add_note_of_scenario();
     compare_with_archive(done);
     result_.levels.push_back(std::move(done));
   }

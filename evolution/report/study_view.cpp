@@ -26,8 +26,13 @@ bool are_halved(const Study& study) { return study.search.screening && study.sea
 std::vector<std::unique_ptr<DesignEvaluator>> scenario_evaluators(const Study& study,
                                                                   const std::shared_ptr<PausedWalks>& paused) {
   std::vector<std::unique_ptr<DesignEvaluator>> all;
-  for (const Scenario& scenario : scenarios_of(study))
-    all.push_back(std::make_unique<WalkEvaluator>(in_scenario(study, scenario), all.empty() ? paused : nullptr));
+  for (const Scenario& scenario : scenarios_of(study)) {
+    const Study one = in_scenario(study, scenario);
+    if (uses_elements(study))
+      all.push_back(std::make_unique<WalkEvaluator>(one, all.empty() ? paused : nullptr));
+    else
+      all.push_back(voxels_of(one));
+  }
   if (all.empty()) all.push_back(std::make_unique<WalkEvaluator>(study, paused));
   return all;
 }

@@ -7,8 +7,12 @@ namespace menger::evolution {
 std::vector<Scenario> scenarios_of(const Study& study) {
   std::vector<Scenario> all;
   if (!study.robust) return all;
-  for (const double friction : study.robust->frictions)
-    for (const double loss_factor : study.robust->loss_factors) all.push_back({friction, loss_factor});
+  for (const double friction : study.robust->frictions) {
+    if (!uses_elements(study))
+      all.push_back({friction, std::nullopt});
+    else
+      for (const double loss_factor : study.robust->loss_factors) all.push_back({friction, loss_factor});
+  }
   return all;
 }
 
@@ -18,7 +22,7 @@ Study in_scenario(const Study& study, const Scenario& scenario) {
     material.static_friction = scenario.friction;
     material.kinetic_friction = scenario.friction;
   }
-  fem::set_loss_factor(one.silicone.silicone, scenario.loss_factor);
+  if (scenario.loss_factor) fem::set_loss_factor(one.silicone.silicone, *scenario.loss_factor);
   one.robust.reset();
   one.search.scenarios = 1;
   one.search.quantile = 0.0;
@@ -26,7 +30,8 @@ Study in_scenario(const Study& study, const Scenario& scenario) {
 }
 
 std::string scenario_text(const Scenario& scenario) {
-  return "friction = " + io::number_text(scenario.friction) + ", loss_factor = " + io::number_text(scenario.loss_factor);
+  return "friction = " + io::number_text(scenario.friction) +
+         (scenario.loss_factor ? ", loss_factor = " + io::number_text(*scenario.loss_factor) : "");
 }
 
 }  // namespace menger::evolution

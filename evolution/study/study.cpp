@@ -61,19 +61,20 @@ void add_notes_of_silicone(const Study& study, std::vector<std::string>& notes) 
   }
   if (silicone.is_ratio_assumed)
     notes.push_back("material.bulk_modulus_ratio = " + io::number_text(silicone.bulk_modulus_ratio) + " is assumed");
-  if (study.robust) {
-    notes.push_back("a robot walks in up to " + std::to_string(study.search.scenarios) + " scenarios, of which the worst " +
-                    (study.search.left_out_scenarios() == 0
-                         ? std::string("is its score")
-                         : std::to_string(study.search.left_out_scenarios()) + " do not count"));
-    return;
-  }
+  if (study.robust) return;
   const voxel::VoxelMaterial& ground = study.physics.materials[0];
   notes.push_back("friction of " + name +
                   " on a ground is not measured; static_friction = " + io::number_text(ground.static_friction) +
                   " and kinetic_friction = " + io::number_text(ground.kinetic_friction) + " are assumptions");
   if (!study.search.offspring.constraints.castable)
     notes.emplace_back("bodies that cannot be cast get no result; with body.castable = true there are none");
+}
+
+void add_notes_of_scenarios(const Study& study, std::vector<std::string>& notes) {
+  if (!study.robust) return;
+  notes.push_back("a robot walks in up to " + std::to_string(study.search.scenarios) + " scenarios, of which the worst " +
+                  (study.search.left_out_scenarios() == 0 ? std::string("is its score")
+                                                          : std::to_string(study.search.left_out_scenarios()) + " do not count"));
 }
 
 std::vector<std::string> notes_of_model(const Study& study) {
@@ -84,6 +85,7 @@ std::vector<std::string> notes_of_model(const Study& study) {
     notes.emplace_back(
         "Poisson's ratio is 0. The paper states 0.5, but its released files switch volume effects off and so simulate 0");
   }
+  add_notes_of_scenarios(study, notes);
   return notes;
 }
 

@@ -30,8 +30,8 @@ enum class Measure {
 };
 std::string_view to_string(Measure measure);  ///< "net_displacement" or "last_periods"
 
-/// The scenarios in which a robust robot must walk: all pairs of these values, which are not measured for silicones. A robot's
-/// score is that of its worst ones.
+/// The scenarios in which a robust robot must walk: all pairs of these values, which are not measured for silicones; as voxels
+/// its frictions alone. A robot's score is that of its worst ones.
 struct RobustOptions {
   /// Of robots on the ground and on themselves, static and kinetic alike: published friction of silicones lies between 0.25 and
   /// 1, and a crawler was simulated with 1.2 (doi 10.1007/s11012-023-01719-5).
@@ -83,7 +83,7 @@ struct Study {
   /// Counted cost that ends the search before its generations do. None: nothing does.
   std::optional<Budget> budget{};
 
-  /// Scenarios on finite elements, in place of the one ground and silicone. search.scenarios and search.quantile follow from it.
+  /// Scenarios, in place of the one ground and silicone. search.scenarios and search.quantile follow from it.
   std::optional<RobustOptions> robust{};
 
   bool operator==(const Study&) const = default;

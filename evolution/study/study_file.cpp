@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "evolution/study/scenarios.h"
 #include "evolution/study/walk_evaluator.h"
 #include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_reader.h"
@@ -186,7 +187,7 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }
 
-void describe_robust(io::StudyVisitor& visitor, RobustOptions& robust) {
+void describe_robust(io::StudyVisitor& visitor, bool has_elements, RobustOptions& robust) {
   const auto check_different = [&](std::vector<double> values, const char* key) {
     std::ranges::sort(values);
     visitor.check(std::ranges::adjacent_find(values) == values.end(), key, "must be different");
@@ -197,9 +198,11 @@ void describe_robust(io::StudyVisitor& visitor, RobustOptions& robust) {
        "of them."},
       robust.frictions, io::non_negative(), {.fewest = 1});
   check_different(robust.frictions, "frictions");
-  visitor.numbers({"loss_factors", "Loss factors of the silicone, at its loss_frequency_Hz. A robot walks with each of them."},
-                  robust.loss_factors, io::non_negative(), {.fewest = 1});
-  check_different(robust.loss_factors, "loss_factors");
+  visitor.only_if(has_elements, "evaluation.model = \"finite_elements\" or \"both\"", [&] {
+    visitor.numbers({"loss_factors", "Loss factors of the silicone, at its loss_frequency_Hz. A robot walks with each of them."},
+                    robust.loss_factors, io::non_negative(), {.fewest = 1});
+    check_different(robust.loss_factors, "loss_factors");
+  });
   visitor.number({"quantile", "Share of the scenarios, the worst ones, that do not count. 0: the worst one is the score."},
                  robust.quantile, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
 }
@@ -302,14 +305,18 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
       {"check_dt",
        "Checks of the time step: the best survivors are evaluated again with half of it. The search does not change."},
       plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
-  visitor.only_if(uses_elements(study), "evaluation.model = \"finite_elements\" or \"both\"", [&] {
-    visitor.optional_table(
-        {"robust",
-         "Robots walk in several scenarios, all pairs of frictions and loss factors, in place of the friction of [ground] and "
-         "the loss factor of [material]. The worst one is the score. Walks of a robot end once it can no longer survive."},
-        study.robust, [&](RobustOptions& robust) { describe_robust(visitor, robust); });
-  });
-  plan.scenarios = study.robust ? study.robust->frictions.size() * study.robust->loss_factors.size() : 1;
+  visitor.optional_table({"robust",
+                          "Robots walk in several scenarios, all pairs of frictions and loss factors, in place of the friction "
+                          "of [ground] and the loss "
+                          "factor of [material]; as voxels they have no loss factor. The worst one is the score. Walks of a "
+                          "robot end once it can no "
+                          "longer survive."},
+                         study.robust, [&](RobustOptions& robust) { describe_robust(visitor, uses_elements(study), robust); });
+  visitor.check(!study.robust || uses_elements(study) || plan.levels() == std::vector{1}, "robust",
+                "needs body.levels = [1]: single modules");
+  visitor.check(!study.robust || uses_elements(study) || !plan.step_checks, "robust",
+                "cannot be combined with [check_dt]: there is no one walk to be checked");
+  plan.scenarios = study.robust ? scenarios_of(study).size() : 1;
   plan.quantile = study.robust ? study.robust->quantile : 0.0;
   describe_physics(visitor, study);
 }

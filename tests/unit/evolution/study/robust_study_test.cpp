@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -90,9 +92,66 @@ TEST_F(RobustStudy, RefusesWhatMakesNoScenario) {
   EXPECT_NE(with_steady_state.find("study.toml: population.selection = \"steady_state\": cannot be combined with [robust]"),
             std::string::npos)
       << with_steady_state;
-  const std::string message = tests::message_of(
-      [&] { (void)tests::read_walking_study(folder_ / "study.toml", "preset = \"paper\"\n[robust]\nquantile = 0\n"); });
-  EXPECT_NE(message.find("belongs to evaluation.model = \"finite_elements\" or \"both\""), std::string::npos) << message;
+}
+
+constexpr const char* voxel_study =
+    "preset = \"paper\"\ngenerations = 1\nseed = 1\n[population]\nsurvivors = 2\nmutants = 2\nnewcomers = 1\n"
+    "[body]\nlevels = [1]\n[time]\nduration_s = 0.02\n";
+
+TEST_F(RobustStudy, VoxelsWalkOnEachGround) {
+  const Study study =
+      tests::read_walking_study(folder_ / "study.toml", std::string(voxel_study) + "[robust]\nfrictions = [0.3, 0.9]\n");
+  EXPECT_EQ(scenarios_of(study), (std::vector<Scenario>{{0.3, std::nullopt}, {0.9, std::nullopt}}));
+  EXPECT_EQ(study.search.scenarios, 2U);
+  EXPECT_EQ(scenario_text(scenarios_of(study).front()), "friction = 0.3");
+  EXPECT_EQ(study_from_text(resolved_text(study), "archive"), study);
+  const auto evaluator = evaluator_of(study);
+  const std::vector<std::string> physics = evaluator->scenarios();
+  ASSERT_EQ(physics.size(), 2U);
+  EXPECT_NE(physics[0], physics[1]);
+  EXPECT_EQ(evaluator_of(in_scenario(study, scenarios_of(study)[1]))->physics(), physics[1]) << "each as a study of its own";
+
+  // Robots of one scenario share the lanes of a register, and come to what they come to alone.
+  std::vector<EvaluationTask> tasks;
+  for (const std::size_t scenario : {0U, 1U, 0U, 1U, 1U})
+    tasks.push_back({.body = meshes::Polycube::from_digits(2, 1, 1, tasks.size() % 2 == 0 ? "12" : "21"), .scenario = scenario});
+  const std::vector<std::vector<std::size_t>> groups = evaluator->groups(tasks, 1);
+  std::multiset<std::size_t> grouped;
+  const std::atomic<bool> stop{false};
+  for (const std::vector<std::size_t>& group : groups) {
+    std::vector<const EvaluationTask*> together;
+    for (const std::size_t n : group) {
+      grouped.insert(n);
+      together.push_back(&tasks[n]);
+      EXPECT_EQ(tasks[n].scenario, tasks[group.front()].scenario);
+    }
+    const std::vector<Evaluation> results = evaluator->evaluate_together(together, stop, [] { return 1; });
+    ASSERT_EQ(results.size(), group.size());
+    for (std::size_t n = 0; n < group.size(); ++n) {
+      const EvaluationTask& task = tasks[group[n]];
+      const auto alone = evaluator_of(in_scenario(study, scenarios_of(study)[task.scenario]));
+      EXPECT_EQ(results[n].displacement_m, alone->evaluate(task.body, 1, stop).displacement_m);
+    }
+  }
+  EXPECT_EQ(grouped, (std::multiset<std::size_t>{0, 1, 2, 3, 4}));
+  std::vector<const EvaluationTask*> mixed;
+  for (const EvaluationTask& task : tasks) mixed.push_back(&task);
+  const std::vector<Evaluation> results = evaluator->evaluate_together(mixed, stop, [] { return 1; });
+  ASSERT_EQ(results.size(), tasks.size());
+  EXPECT_EQ(results[1].displacement_m,
+            evaluator_of(in_scenario(study, scenarios_of(study)[1]))->evaluate(tasks[1].body, 1, stop).displacement_m);
+}
+
+TEST_F(RobustStudy, RefusesWhatVoxelsDoNotHave) {
+  const auto refusal = [&](const std::string& text) {
+    return tests::message_of([&] { (void)tests::read_walking_study(folder_ / "study.toml", text); });
+  };
+  EXPECT_NE(refusal(std::string(voxel_study) + "[robust]\nloss_factors = [0.1]\n")
+                .find("belongs to evaluation.model = \"finite_elements\" or \"both\""),
+            std::string::npos);
+  EXPECT_NE(refusal("preset = \"paper\"\n[robust]\nquantile = 0\n").find("needs body.levels = [1]"), std::string::npos);
+  EXPECT_NE(refusal(std::string(voxel_study) + "[robust]\n[check_dt]\n").find("cannot be combined with [check_dt]"),
+            std::string::npos);
 }
 
 }  // namespace

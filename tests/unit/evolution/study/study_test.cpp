@@ -245,7 +245,7 @@ TEST_F(StudyFile, ItsTemplateAndItsTextsAreReadBack) {
     return file;
   };
   tests::expect_template_is_read<PresetStudy>(parse, {"evaluation.model = \"both\"", "evaluation.model = \"finite_elements\"",
-                                                      "integration.number = \"float32\"", "surrogate"});
+                                                      "integration.number = \"float32\"", "robust", "surrogate"});
   // Half of the random studies are on finite elements, and half of those name a silicone that does not exist.
   tests::expect_texts_are_read_back<PresetStudy>(parse, 10);
   tests::expect_texts_are_read_back<Study>([](const std::string& text) { return study_from_text(text, "study.toml"); }, 10);
