@@ -1,8 +1,8 @@
 # At equal cost, which search finds the better robot: on voxels, on finite elements, or on both?
-# A seed is three searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
+# A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "seed_$seed" "an hour of two cores" "a search of each arm, and its best robots on fine elements"
+  part_on_request "seed_$seed" "80 min of two cores" "a search of each arm, and its best robots on fine elements"
 done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
@@ -22,7 +22,7 @@ one_search() {
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
   menger confirm "$out/$name.sqlite" "$study/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
   menger export "$out/$name.sqlite" --output "$out/$name" --levels 1 --no-frames --no-pictures
-  if [ "$arm" = voxels ]; then
+  if [[ $arm = voxels* ]]; then
     champions=$(proof champions "$out" "$arm" "$seed")
     read -ra champions <<<"$champions"
     if [ ${#champions[@]} -gt 0 ]; then champions=(--individuals "${champions[@]}"); else champions=(--champions); fi  # none: an empty table

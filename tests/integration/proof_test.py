@@ -83,8 +83,9 @@ class Studies(unittest.TestCase):
             self.assertEqual(study["time"], elements["time"])
             for key in ("measure", "measure_periods", "stand"):
                 self.assertEqual(study["evaluation"][key], elements["evaluation"][key], arm)
-        self.assertEqual(len({study["seed"] for study in texts.values()}), 3, "arms do not begin with the same robots")
+        self.assertEqual(len({study["seed"] for study in texts.values()}), len(proof.ARMS), "arms do not begin with the same robots")
         self.assertEqual(texts["both"]["robust"], elements["robust"])
+        self.assertEqual(texts["voxels_robust"]["robust"]["frictions"], elements["robust"]["frictions"])
         self.assertEqual(texts["both"]["elements"], elements["elements"])
         friction = texts["voxels"]["ground"]["static_friction"]
         self.assertEqual(sorted(elements["robust"]["frictions"])[1], friction, "voxels have the middle friction")
@@ -140,7 +141,7 @@ class Searches(unittest.TestCase):
         self.make("elements", 1, 0.07)
         taken = self.call("take", self.results, self.tables, "elements", 1)
         self.assertEqual(taken.returncode, 0, taken.stderr)
-        self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), ["voxels", "both"])
+        self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), ["voxels", "both", "voxels_robust"])
         self.assertEqual(self.call("missing", self.tables, 2).stdout.split(), list(proof.ARMS))
         row, = table_of(self.tables / "outcomes.csv")
         self.assertEqual(row["best_body_lengths"], "0.07")
@@ -184,7 +185,8 @@ class Searches(unittest.TestCase):
 
     def test_tests_effects_and_picture(self):
         for seed in range(1, 6):
-            for arm, best in (("voxels", 0.01 * seed), ("elements", 0.2 + 0.01 * seed), ("both", 0.15 + 0.02 * seed)):
+            for arm, best in (("voxels", 0.01 * seed), ("elements", 0.2 + 0.01 * seed), ("both", 0.15 + 0.02 * seed),
+                              ("voxels_robust", 0.1 + 0.01 * seed)):
                 self.make(arm, seed, best)
                 self.assertEqual(self.call("take", self.results, self.tables, arm, seed).returncode, 0)
         summary = self.call("summary", self.tables)
@@ -192,6 +194,7 @@ class Searches(unittest.TestCase):
         rows = {(row["arm"], row["than"]): row for row in table_of(self.tables / "statistics.csv")}
         self.assertAlmostEqual(float(rows["elements", "voxels"]["rank_sum_p"]), 2 / 252, 6)
         self.assertAlmostEqual(float(rows["elements", "voxels"]["holm_p"]), 3 * 2 / 252, 6)
+        self.assertAlmostEqual(float(rows["elements", "voxels_robust"]["holm_p"]), 3 * 2 / 252, 6, "corrected apart from the planned ones")
         self.assertEqual(float(rows["elements", "voxels"]["superiority"]), 1.0)
         self.assertEqual(rows["elements", "voxels"]["superiority_low"], "", "groups apart have no interval by resampling")
         self.assertNotEqual(rows["both", "elements"]["superiority_low"], "")
