@@ -263,14 +263,14 @@ def statistics_rows(outcomes):
 def compared_arms(outcomes, pairs):
     for arm, than in pairs:
         a, b = outcomes[arm], outcomes[than]
-        row = {"arm": arm, "than": than, "searches": len(a), "searches_than": len(b)}
-        if a and b:
-            (low, high), (least, most) = (interval_of_two(a, b, statistic) for statistic in (difference_of_medians, superiority))
-            row |= {"median_body_lengths": number(median(a)), "median_than_body_lengths": number(median(b)),
-                    "difference_body_lengths": number(difference_of_medians(a, b)), "difference_low": number(low),
-                    "difference_high": number(high), "superiority": number(superiority(a, b)), "superiority_low": number(least),
-                    "superiority_high": number(most), "rank_sum_p": number(rank_sum_p(a, b))}
-        yield row
+        if not a or not b:
+            continue
+        (low, high), (least, most) = (interval_of_two(a, b, statistic) for statistic in (difference_of_medians, superiority))
+        yield {"arm": arm, "than": than, "searches": len(a), "searches_than": len(b),
+               "median_body_lengths": number(median(a)), "median_than_body_lengths": number(median(b)),
+               "difference_body_lengths": number(difference_of_medians(a, b)), "difference_low": number(low),
+               "difference_high": number(high), "superiority": number(superiority(a, b)), "superiority_low": number(least),
+               "superiority_high": number(most), "rank_sum_p": number(rank_sum_p(a, b))}
 
 
 def better_arm(tables):
