@@ -25,7 +25,7 @@ import wrong_studies
 STUDIES = {
     "evolve": ["paper/demo/study.toml", "paper/demo/silicone.toml", "paper/discrepancies/population.toml", "paper/fractal/*.toml", "paper/known_walks/search*.toml", "paper/non_fractal/*.toml",
                "paper/phase_wave/*.toml", "paper/proof/both.toml", "paper/proof/elements.toml", "paper/proof/fine.toml",
-               "paper/proof/two_layers.toml", "paper/proof/voxels.toml", "paper/scale_invariance/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
+               "paper/proof/two_layers.toml", "paper/proof/voxels.toml", "paper/proof/voxels_robust.toml", "paper/scale_invariance/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
                "paper/trade_off/evolve.toml", "paper/walkers/robust.toml", "paper/walkers/screened.toml",
                "paper/walkers/study.toml"],
     "simulate": ["voxel/scenes/*.toml"],
