@@ -67,7 +67,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
     describe(visitor, scene);
   });
   app.add_option("scene", arguments.scene, "scene file, or robot.toml of menger init or its folder")->required();
-  app.add_option("-o,--output", arguments.folder, "folder of the results (default: the name of the scene file; of a robot, its folder in results)");
+  app.add_option("-o,--output", arguments.folder,
+                 "folder of the results (default: the name of the scene file; of a robot, its folder in results)");
   app.add_option("--level", arguments.level, "level of the fractal, instead of the scene's");
   app.add_flag("--no-pictures", arguments.no_pictures, "make no PNG pictures");
   app.add_flag("--energy", arguments.energy, "compute the energy balance (slow)");

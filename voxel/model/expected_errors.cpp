@@ -130,7 +130,8 @@ KnownErrors known_errors(const SurrogateParameters& parameters, const std::optio
   if (!known.errors) {
     known.missing = "no table of errors lies beside " + place + ", which menger validate --keep would write";
   } else if (std::ranges::none_of(body_kinds, [&](BodyKind kind) { return known.errors->of(kind).has_value(); })) {
-    known.missing = "the table of errors beside " + place + " is empty: they were not compared with other bodies (menger validate --keep)";
+    known.missing =
+        "the table of errors beside " + place + " is empty: they were not compared with other bodies (menger validate --keep)";
     known.errors.reset();
   } else if (known.errors->parameters_hash != hash_of(parameters)) {
     known.missing = "the table of errors beside " + place + " is that of other values";
