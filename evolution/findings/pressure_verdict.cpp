@@ -63,10 +63,10 @@ OwnLimit own_limit(double limit_Pa, const std::string& where) {
           .where = where};
 }
 
-/// "safe up to 4.84 kPa, 20 % below the 6.06 kPa to 6.41 kPa at which it balloons."
+/// "safe up to 4.84 kPa, 20 % below the 6.06 kPa to 6.72 kPa at which it balloons."
 std::string safe_text(const OwnLimit& own) {
-  return "safe up to " + kilopascals(io::rounded_towards_rest(own.safe_Pa())) + ", 20 % below the " + own.between() +
-         " at which it balloons" + own.where + ".";
+  return "safe up to " + kilopascals(io::rounded_towards_rest(own.safe_Pa())) + ", " + meshes::safe_margin_text() +
+         " below the " + own.between() + " at which it balloons" + own.where + ".";
 }
 
 /// What is known of a drive that the law of the file does not bear, or hardly.

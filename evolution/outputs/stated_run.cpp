@@ -177,7 +177,9 @@ StatedRun stated_run(const json& parameters) {
   if (const json* drive = object_of(parameters, "drive")) {
     run.drive = drive_of(*drive);
     run.highest_pressure_Pa = highest_in(*drive, "pressure_Pa");
-    if (text_of(*drive, "mode") != "hold") run.frequency_Hz = number_of(*drive, "frequency_Hz");
+    run.frequency_Hz = number_of(*drive, "frequency_Hz");
+    const std::string mode = text_of(*drive, "mode");
+    run.has_strokes = mode != "hold" && mode != "none";
   }
   run.static_friction = first_number(parameters, {{"ground"}}, "static_friction");
   run.kinetic_friction = first_number(parameters, {{"ground"}}, "kinetic_friction");

@@ -25,10 +25,13 @@ struct StatedRun {
   std::string elements{};                       ///< kind of the finite elements: "thin_wall", "three_field"
   std::string fidelity{};                       ///< of thin walls: "draft", "standard", "fine"
   std::optional<double> highest_pressure_Pa{};  ///< of the drive
-  std::optional<double> frequency_Hz{};         ///< of the strokes of the drive; nothing for one that holds its pressure
+  std::optional<double> frequency_Hz{};         ///< of the drive, also where it holds its pressure
+  bool has_strokes = true;                      ///< false for a drive that does nothing or holds its pressure
   std::string drive{};  ///< what decides the motion of the drive, in a form that can be compared; empty without one
   std::optional<double> static_friction{};   ///< of the ground
   std::optional<double> kinetic_friction{};  ///< likewise
+
+  [[nodiscard]] std::optional<double> stroke_frequency_Hz() const { return has_strokes ? frequency_Hz : std::nullopt; }
 };
 
 /// Reads them from the parameters of a manifest. Voxels have their walls and silicone from the parameters of their surrogate.

@@ -8,6 +8,7 @@
 
 #include "evolution/outputs/command_outputs.h"
 #include "evolution/page/report_page.h"
+#include "fem/locomotion/locomotion_study.h"
 
 namespace menger::evolution {
 
@@ -32,10 +33,10 @@ std::vector<BodyFrames> read_body_frames(const std::filesystem::path& collection
 struct BodyRequest {
   std::string name;  ///< of the body in its scene
   std::vector<BodyFrame> frames;
-  std::size_t most_bytes = 0;        ///< that surface and positions may take; frames are left out to keep to it
-  std::size_t most_frames = 300;     ///< likewise
-  bool has_phases = true;            ///< false: all cells are driven at once, and materials mean nothing
-  std::optional<ManifestBody> body;  ///< whose cells give the materials, for files without them
+  std::size_t most_bytes = 0;                          ///< that surface and positions may take; frames are left out to keep to it
+  std::size_t most_frames = fem::most_frames_of_walk;  ///< likewise
+  bool has_phases = true;                              ///< false: all cells are driven at once, and materials mean nothing
+  std::optional<ManifestBody> body;                    ///< whose cells give the materials, for files without them
   /// The edge of a cell of a body that floats free: it is shown as if held at its near end (see motion_of_near_end).
   std::optional<double> held_cell_m{};
 };

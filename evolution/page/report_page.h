@@ -87,6 +87,9 @@ struct PageBody {
 /// Pictures or frames of a stroke: fewer show another motion than there is.
 inline constexpr double least_per_stroke = 5.0;
 
+/// Returns whether so many pictures or frames show a stroke. Times of voxels are multiples of a step: a hundredth less counts.
+constexpr bool shows_strokes(double per_stroke) { return per_stroke >= least_per_stroke - 0.01; }
+
 /// Bodies that move on one clock, beside each other.
 struct PageScene {
   std::string title{};

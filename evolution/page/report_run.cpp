@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "evolution/findings/inflation_result.h"
 #include "evolution/loop/loop_verdict_file.h"
 #include "evolution/outputs/command_outputs.h"
 #include "evolution/outputs/result_facts.h"
@@ -16,6 +17,7 @@
 #include "evolution/page/report_scenes.h"
 #include "evolution/page/report_sections.h"
 #include "evolution/page/walk_animation.h"
+#include "evolution/verdict/finding_words.h"
 #include "evolution/verdict/verdict.h"
 #include "io/shown/shown_quantity.h"
 #include "io/text/input_error.h"
@@ -82,7 +84,7 @@ void warn_of_changes(const std::vector<std::string>& changed, Verdict& verdict) 
       0, "The results of " + io::joined(changed) +
              " have changed since the loop ended, and may not be of the robot that the others are of: menger loop "
              "brings all up to date. ");
-  verdict.tone = std::max(verdict.tone == Tone::missing ? Tone::note : verdict.tone, Tone::caution);
+  verdict.tone = worse_of(verdict.tone, Tone::caution);
 }
 
 /// Leaves out what stages of a loop computed for an earlier robot, unless a command by hand has taken its place since.
@@ -104,7 +106,8 @@ std::string caption_of(const CommandOutput& output, const std::string& name, con
   if (name == "chamber.png") {
     const auto inflation = std::ranges::find(inflations, output.name, &InflationFacts::place);
     const bool is_beyond = inflation != inflations.end() && inflation->limit &&
-                           inflation->last_pressure_Pa.value_or(0.0) < inflation->limit->pressure_Pa - 1.0;
+                           inflation->last_pressure_Pa.value_or(0.0) < inflation->limit->pressure_Pa &&
+                           !are_of_one_state(inflation->last_pressure_Pa.value_or(0.0), inflation->limit->pressure_Pa);
     caption = std::string("The body, cut open, at the end of its inflation") +
               (is_beyond ? ", which lies beyond the limit pressure: the pressure falls again there" : "") +
               ". Thin lines: the body at rest, grey where it was cut away.";

@@ -134,7 +134,7 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
     plans.push_back({.scene = {.title = "Walk of " + body_or_place(elements) + ": finite elements and " + walking(other).name,
                                .source = file_of(elements, "frames.pvd") + ", " + file_of(other, "frames.pvd"),
                                .angle_deg = both.angle_deg,
-                               .frequency_Hz = elements.stated.frequency_Hz,
+                               .frequency_Hz = elements.stated.stroke_frequency_Hz(),
                                .note = ends_text(both)},
                      .place = elements.name,
                      .parts = {walking(elements), walking(other)},
@@ -147,7 +147,7 @@ void plan_walks(const std::vector<CommandOutput>& outputs, std::vector<ScenePlan
     const ScenePlan::Part part = walking(output);
     single.push_back({.scene = {.title = "Walk of " + body_or_place(output) + ": " + part.name,
                                 .source = file_of(output, "frames.pvd"),
-                                .frequency_Hz = output.stated.frequency_Hz},
+                                .frequency_Hz = output.stated.stroke_frequency_Hz()},
                       .place = output.name,
                       .parts = {part},
                       .on_ground = true});
@@ -161,7 +161,7 @@ void plan_reevaluations(const std::vector<CommandOutput>& outputs, std::vector<S
     if (command_of(output) != "reevaluate" || !io::is_file(both)) continue;
     plans.push_back({.scene = {.title = "Winner of the re-evaluation: finite elements and the model of the search",
                                .source = file_of(output, "winner/both.pvd"),
-                               .frequency_Hz = output.stated.frequency_Hz},
+                               .frequency_Hz = output.stated.stroke_frequency_Hz()},
                      .place = output.name,
                      .parts = {{.name = "finite elements",
                                 .folder = output.folder,
@@ -233,7 +233,7 @@ void plan_champions(const std::vector<CommandOutput>& outputs, std::vector<Scene
       if (!io::is_file(place / "frames.pvd") || io::is_file(place / "manifest.json")) continue;
       plans.push_back({.scene = {.title = "Champion of the search at level " + std::to_string(level),
                                  .source = file_of(output, name + "/frames.pvd"),
-                                 .frequency_Hz = output.stated.frequency_Hz},
+                                 .frequency_Hz = output.stated.stroke_frequency_Hz()},
                        .place = output.name,
                        .parts = {{.name = "voxels",
                                   .folder = output.folder,
@@ -336,10 +336,9 @@ std::optional<PageScene> scene_of(const ScenePlan& plan, std::size_t most_bytes,
 std::string guess_text(const PageBody& body, std::size_t frames, double frequency_Hz) {
   const double strokes = frequency_Hz * (body.times.back() - body.times.front());
   const auto between = static_cast<double>(body.times.size() - 1);
-  constexpr double rounding = 0.01;  // times of voxels are multiples of a step
   const std::string name = body.name == "surrogate" ? "the surrogate" : body.name;
   std::string few;
-  if (strokes > 1.0 && between / strokes < least_per_stroke - rounding)
+  if (strokes > 1.0 && !shows_strokes(between / strokes))
     few = "frames shown of a stroke: " + io::shown(between / strokes, 2);
   else if (strokes <= 1.0 && 2 * body.times.size() < frames)
     few = std::to_string(body.times.size()) + " of " + std::to_string(frames) + " frames are shown";

@@ -213,8 +213,7 @@ std::string walk_caption(const PageScene& scene, double time, const AnimationPac
   if (bodies.size() == 1) text = bodies[0].name + way_text(bodies[0], time) + ", ";
   text += io::formatted("%.2f s", time);
   if (pace.slower > 1) text += ", shown " + std::to_string(pace.slower) + " times slower";
-  constexpr double rounding = 0.01;
-  if (pace.pictures_per_stroke && *pace.pictures_per_stroke < least_per_stroke - rounding)
+  if (pace.pictures_per_stroke && !shows_strokes(*pace.pictures_per_stroke))
     text += ", " + io::shown(*pace.pictures_per_stroke, 2) + " pictures in a stroke";
   return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
 }

@@ -127,9 +127,7 @@ double usual_record_interval_s(const ReevaluationStudy& study) {
 }
 
 double usual_frame_interval_s(const ReevaluationStudy& study) {
-  const voxel::Actuation& actuation = study.search.physics.actuation;
-  const bool has_strokes = actuation.mode != voxel::ActuationMode::none && actuation.mode != voxel::ActuationMode::hold;
-  const auto frequency_Hz = has_strokes ? std::optional(actuation.frequency_Hz) : std::nullopt;
+  const auto frequency_Hz = fem::stroke_frequency_Hz(pressure_drive(study.search));
   return study.record_interval_s *
          static_cast<double>(fem::usual_records_per_frame(study.record_interval_s, study.duration_s, frequency_Hz));
 }
@@ -173,8 +171,7 @@ void describe_times(io::StudyVisitor& visitor, bool has_search, ReevaluationStud
   describe_interval(visitor,
                     {"frame_interval_s",
                      "Time between frames, a multiple of record_interval_s; default: an eighth of a stroke of the drive, at most "
-                     "0.1 s, at least a record, "
-                     "and no more than 300 frames",
+                     "0.1 s, at least a record, and no more than 300 frames",
                      "0.1", "/frame_interval_s"},
                     has_search, study.frame_interval_s, has_search ? io::at_least(study.record_interval_s) : io::positive(),
                     [&] { return usual_frame_interval_s(study); });

@@ -307,10 +307,8 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
       plan.step_checks, [&](StepCheckPlan& checks) { describe_step_checks(visitor, checks); });
   visitor.optional_table({"robust",
                           "Robots walk in several scenarios, all pairs of frictions and loss factors, in place of the friction "
-                          "of [ground] and the loss "
-                          "factor of [material]; as voxels they have no loss factor. The worst one is the score. Walks of a "
-                          "robot end once it can no "
-                          "longer survive."},
+                          "of [ground] and the loss factor of [material]; as voxels they have no loss factor. The worst one is "
+                          "the score. Walks of a robot end once it can no longer survive."},
                          study.robust, [&](RobustOptions& robust) { describe_robust(visitor, uses_elements(study), robust); });
   visitor.check(!study.robust || uses_elements(study) || plan.levels() == std::vector{1}, "robust",
                 "needs body.levels = [1]: single modules");

@@ -30,8 +30,8 @@ double safe_share(const InflationFacts& limited) {
 
 /// "4.84 kPa, 20 % or more below 6.06 kPa"
 std::string safe_text(const InflationFacts& facts, double pressure_Pa, const std::string& what) {
-  return io::kilopascals(io::rounded_towards_rest(safe_share(facts) * pressure_Pa)) + what + ", " +
-         io::percents(1.0 - meshes::largest_safe_share) + " or more below " + io::kilopascals(pressure_Pa);
+  return io::kilopascals(io::rounded_towards_rest(safe_share(facts) * pressure_Pa)) + what + ", " + meshes::safe_margin_text() +
+         " or more below " + io::kilopascals(pressure_Pa);
 }
 
 /// Pressures of other results of the body of an inflation.
@@ -83,7 +83,7 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
   finding.text += "Balloons or buckles at " + io::kilopascals(limit_Pa) +
                   ": there the pressure stops rising while the volume grows (limit point). Up to " +
                   io::kilopascals(io::rounded_towards_rest(safe_share(facts) * limit_Pa)) + " it is " +
-                  io::percents(1.0 - meshes::largest_safe_share) + " or more below that";
+                  meshes::safe_margin_text() + " or more below that";
   if (facts.stated.elements == "thin_wall")
     finding.text += " and below what it may be: thin walls put limit pressures " + meshes::thin_wall_excess_text() +
                     " higher than three-field elements do (fem/README.md)";

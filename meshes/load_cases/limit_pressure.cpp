@@ -2,9 +2,12 @@
 
 #include <set>
 
+#include "io/shown/shown_quantity.h"
 #include "io/text/formatted.h"
 
 namespace menger::meshes {
+
+std::string safe_margin_text() { return io::percents(1.0 - largest_safe_share); }
 
 std::string thin_wall_excess_text() {
   return io::formatted("%.0f to ", 100.0 * least_thin_wall_excess) + io::formatted("%.0f %%", 100.0 * largest_thin_wall_excess);

@@ -16,6 +16,9 @@ struct LimitPressure {
 /// Above this share of the limit pressure small faults of a cast wall decide.
 inline constexpr double largest_safe_share = 0.8;
 
+/// "20 %": how far below its limit pressure a body is safe
+std::string safe_margin_text();
+
 /// By how much limit pressures of thin walls came out higher than those of three-field elements, at least and at most
 /// (fem/README.md, Load cases).
 inline constexpr double least_thin_wall_excess = 0.01;

@@ -134,5 +134,16 @@ TEST(StatedRun, IsNoWalkOfABodyThatIsNotStated) {
   EXPECT_FALSE(stated_run(json::parse("[1]")).body);
 }
 
+TEST(StatedRun, HasStrokesOnlyWhereThePressureSwings) {
+  const auto run_of = [](const char* mode) {
+    return stated_run(nlohmann::json{{"drive", {{"mode", mode}, {"pressure_Pa", {0, 6000}}, {"frequency_Hz", 3.0}}}});
+  };
+  EXPECT_EQ(run_of("in_phase").stroke_frequency_Hz(), 3.0);
+  for (const char* mode : {"hold", "none"}) {
+    EXPECT_FALSE(run_of(mode).stroke_frequency_Hz()) << mode;
+    EXPECT_EQ(run_of(mode).frequency_Hz, 3.0) << "falls are looked for at its periods";
+  }
+}
+
 }  // namespace
 }  // namespace menger::evolution
