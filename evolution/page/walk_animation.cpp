@@ -175,8 +175,7 @@ class WalkPictures {
     const voxel::Vector begin{floor.low[0], floor.low[1], below(1)};
     voxel::add_trail(*renderer_, std::vector<voxel::Vector>{begin, {begin[0] + bar_m, begin[1], begin[2]}});
     const std::string caption = walk_caption(scene_, time, pace_, bar_m);
-    constexpr std::size_t widest = 104;  // letters of this size that fit
-    voxel::add_caption(*renderer_, caption, 0.5, caption.size() <= widest ? 15 : 12);
+    voxel::add_caption(*renderer_, caption, 0.5, caption_size(caption.size()));
     voxel::Extent seen = seen_;
     for (const double x : {floor.low[0], floor.high[0]})
       for (const double y : {floor.low[1], floor.high[1]}) seen.add(view_.coordinates({x, y, ground_m}));
@@ -216,6 +215,12 @@ std::string walk_caption(const PageScene& scene, double time, const AnimationPac
   if (pace.pictures_per_stroke && !shows_strokes(*pace.pictures_per_stroke))
     text += ", " + io::shown(*pace.pictures_per_stroke, 2) + " pictures in a stroke";
   return text + ", bar " + io::shown(1e3 * bar_m) + " mm";
+}
+
+int caption_size(std::size_t letters) {
+  constexpr double usual = 15.0;
+  constexpr double fitting = 92.0;  // letters of the usual size across a picture
+  return static_cast<int>(std::floor(usual * std::min(1.0, fitting / static_cast<double>(std::max<std::size_t>(1, letters)))));
 }
 
 AnimationPace pace_of(double duration_s, double strokes) {

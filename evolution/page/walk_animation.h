@@ -21,6 +21,9 @@ struct AnimationPace {
 /// @param strokes of the drive in that time, of which each gets least_per_stroke pictures where there is room; 0 without a drive
 AnimationPace pace_of(double duration_s, double strokes);
 
+/// Returns the size of the letters of a caption, so that all of it fits across a picture. @param letters how many it has
+int caption_size(std::size_t letters);
+
 /// What became of an animation.
 struct AnimationOutcome {
   bool written = false;

@@ -205,7 +205,7 @@ void add_scale_bar(vtkRenderer& renderer, const View& view, const Extent& seen, 
   const auto at = [&](double to_right) {
     Vector place{};
     const double depth = seen.high[2];
-    const double height = seen.low[1] - 0.06 * seen.size(1);
+    const double height = seen.low[1] - 0.03 * seen.size(1);
     for (std::size_t axis = 0; axis < 3; ++axis)
       place.at(axis) = to_right * view.right.at(axis) + height * view.up.at(axis) + depth * view.eye.at(axis);
     return place;

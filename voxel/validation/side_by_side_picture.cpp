@@ -94,7 +94,7 @@ void fill(vtkRenderWindow& window, const SideBySidePicture& picture, const io::P
   add_scale_bar(*renderer, view, seen, bar_m);
   window.AddRenderer(renderer);
   const double aspect = static_cast<double>(style.width_px) / style.height_px;
-  constexpr double margin = 0.14;  // for the captions
+  constexpr double margin = 0.22;  // for the captions, and the bar above them also where bodies are as high as the picture
   aim(*renderer, view, seen, aspect, margin);
   const double picture_width = 2.0 * renderer->GetActiveCamera()->GetParallelScale() * aspect;
   const int font_size = style.height_px / 36;

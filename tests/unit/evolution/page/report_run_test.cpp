@@ -505,6 +505,14 @@ TEST(GuessText, SaysWhereFramesDoNotShowAStroke) {
   EXPECT_NE(guess_text(body, 200, 0.0).find("51 of 200 frames are shown"), std::string::npos);
 }
 
+TEST(CaptionSize, LetsLongCaptionsFitAcrossAPicture) {
+  EXPECT_EQ(caption_size(0), 15);
+  EXPECT_EQ(caption_size(92), 15);
+  for (std::size_t letters = 93; letters < 300; ++letters)
+    EXPECT_LE(static_cast<double>(caption_size(letters)) * static_cast<double>(letters), 15.0 * 92.0) << letters;
+  EXPECT_EQ(caption_size(143), 9) << "the longest caption can still be read";
+}
+
 TEST(AnimationPace, ShowsShortWalksSlower) {
   EXPECT_EQ(pace_of(5.0, 0.0).slower, 1);
   EXPECT_EQ(pace_of(2.0, 0.0).slower, 2);
