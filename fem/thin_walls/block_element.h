@@ -106,7 +106,8 @@ class BlockElement {
     for_each_branch(task_, branch, [&](std::size_t n, const Number* own) {
       BlockBranch<T> state;
       state.load(own);
-      const T change = (contraction(state.tensor) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
+      const T change =
+          (contraction(state.tensor, metric()) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
       const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
       sum = fma(T(task_.branch_ratios[n]), stored, sum);
     });
@@ -133,8 +134,7 @@ class BlockElement {
       before.load(own);
       const BlockBranch<T> after = before.moved_to(rest, T(task_.shares[n]));
       after.store(own);
-      const T fall =
-          (contraction(before.tensor) - contraction(after.tensor)) + log(determinant(after.tensor) / determinant(before.tensor));
+      const T fall = energy_fall(before.tensor, after.tensor, metric());
       T released = fma(T(0.5) * mu_, fall, quadratic_energy(difference(strains_, before.strains)));
       released = released - quadratic_energy(difference(strains_, after.strains));
       relaxed_ = fma(volume_ * T(task_.branch_ratios[n]), released, relaxed_);
@@ -245,12 +245,10 @@ class BlockElement {
     return forces;
   }
 
-  /// A : C
-  [[nodiscard]] MENGER_HOST_DEVICE T contraction(const std::array<T, 6>& A) const {
+  /// C
+  [[nodiscard]] MENGER_HOST_DEVICE SymmetricTensor<T> metric() const {
     const auto& f = gradient_.columns;
-    const T diagonal = fma(A[0], dot(f[0], f[0]), fma(A[1], dot(f[1], f[1]), A[2] * dot(f[2], f[2])));
-    const T off = fma(A[3], dot(f[1], f[2]), fma(A[4], dot(f[0], f[2]), A[5] * dot(f[0], f[1])));
-    return fma(T(2.0), off, diagonal);
+    return {dot(f[0], f[0]), dot(f[1], f[1]), dot(f[2], f[2]), dot(f[1], f[2]), dot(f[0], f[2]), dot(f[0], f[1])};
   }
 
   MENGER_HOST_DEVICE static T determinant(const std::array<T, 6>& A) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "fem/thin_walls/lane_number.h"
+#include "materials/laws/accurate_functions.h"
 
 namespace menger::fem::detail {
 
@@ -45,6 +46,45 @@ MENGER_HOST_DEVICE void load_numbers(const NumberOf<T>* numbers, std::array<T, n
 template <class T, std::size_t n>
 MENGER_HOST_DEVICE void store_numbers(const std::array<T, n>& values, NumberOf<T>* numbers) {
   for (std::size_t i = 0; i < n; ++i) Lanes<T>::store(values[i], numbers + i * Lanes<T>::count);
+}
+
+/// A symmetric tensor: 11, 22, 33, 23, 13, 12.
+template <class T>
+using SymmetricTensor = std::array<T, 6>;
+
+template <class T>
+MENGER_HOST_DEVICE SymmetricTensor<T> cofactor(const SymmetricTensor<T>& a) {
+  return {fms(a[1], a[2], a[3] * a[3]), fms(a[0], a[2], a[4] * a[4]), fms(a[0], a[1], a[5] * a[5]),
+          fms(a[4], a[5], a[0] * a[3]), fms(a[3], a[5], a[1] * a[4]), fms(a[3], a[4], a[2] * a[5])};
+}
+
+/// a : b
+template <class T>
+MENGER_HOST_DEVICE T contraction(const SymmetricTensor<T>& a, const SymmetricTensor<T>& b) {
+  const T diagonal = fma(a[0], b[0], fma(a[1], b[1], a[2] * b[2]));
+  return fma(T(2.0), fma(a[3], b[3], fma(a[4], b[4], a[5] * b[5])), diagonal);
+}
+
+/// Returns by how much A : C - ln det A falls where A goes from `before` to `after`, in units of half the branch's modulus.
+///
+/// With D = after - before and Z = before^-1 D this is (before^-1 - C) : D + (ln det(1 + Z) - tr Z). Near rest, where before is
+/// C^-1, both are of second order. Differences of A : C and of ln det A are of first order: they cancel, and what rounding leaves
+/// of them in single precision would be far larger than the fall.
+template <class T>
+MENGER_HOST_DEVICE T energy_fall(const SymmetricTensor<T>& before, const SymmetricTensor<T>& after, const SymmetricTensor<T>& C) {
+  const SymmetricTensor<T> change = difference(after, before);
+  const SymmetricTensor<T> cofactors = cofactor(before);
+  const T first_row = fma(before[5], cofactors[5], before[4] * cofactors[4]);
+  const T by_determinant = T(1.0) / fma(before[0], cofactors[0], first_row);
+  SymmetricTensor<T> inverse;
+  for (std::size_t i = 0; i < 6; ++i) inverse[i] = by_determinant * cofactors[i];
+  const SymmetricTensor<T> changed_cofactors = cofactor(change);
+  // invariants of Z: det(1 + Z) = 1 + trace + second + third; the trace of cofactor(D) D is 3 det D
+  const T trace = contraction(inverse, change);
+  const T second = by_determinant * contraction(before, changed_cofactors);
+  const T third = by_determinant * T(1.0 / 3.0) * contraction(change, changed_cofactors);
+  const T beyond = second + third;
+  return contraction(difference(inverse, C), change) + (beyond - materials::log_remainder<T>(trace + beyond));
 }
 
 /// Where the branch of a wall is at rest.
@@ -89,7 +129,7 @@ struct WallBranch {
 template <class T>
 struct BlockBranch {
   bool is_there = true;
-  std::array<T, 6> tensor;  ///< A: 11, 22, 33, 23, 13, 12
+  SymmetricTensor<T> tensor;  ///< A
   std::array<T, 12> strains;
 
   MENGER_HOST_DEVICE void load(const NumberOf<T>* numbers) {

@@ -216,8 +216,9 @@ class WallElement {
       after.store(own);
       T released(0.0);
       for (std::size_t z = 0; z < 2; ++z) {
-        const T fall = membrane_contraction(before.tensors[z], points_[z]) - membrane_contraction(after.tensors[z], points_[z]);
-        released = fma(T(0.25) * mu_, fall + log(determinant(after.tensors[z]) / determinant(before.tensors[z])), released);
+        const PlaneMetric<T>& m = points_[z];
+        const SymmetricTensor<T> C{T(1.0) + m.a_excess, T(1.0) + m.b_excess, m.inverse, T(0.0), T(0.0), m.c};
+        released = fma(T(0.25) * mu_, energy_fall(whole(before.tensors[z]), whole(after.tensors[z]), C), released);
       }
       released = released + quadratic_energy(difference(shears_, before.shears), difference(strains_, before.strains));
       released = released - quadratic_energy(difference(shears_, after.shears), difference(strains_, after.strains));
@@ -475,6 +476,10 @@ class WallElement {
   MENGER_HOST_DEVICE static T membrane_contraction(const std::array<T, 4>& A, const PlaneMetric<T>& m) {
     const T in_plane = fma(A[0], T(1.0) + m.a_excess, fma(A[1], T(1.0) + m.b_excess, T(2.0) * A[2] * m.c));
     return fma(A[3], m.inverse, in_plane - T(3.0));
+  }
+
+  MENGER_HOST_DEVICE static SymmetricTensor<T> whole(const std::array<T, 4>& A) {
+    return {A[0], A[1], A[3], T(0.0), T(0.0), A[2]};
   }
 
   MENGER_HOST_DEVICE static T determinant(const std::array<T, 4>& A) { return fms(A[0], A[1], A[2] * A[2]) * A[3]; }

@@ -107,6 +107,29 @@ TEST(ThinWallBranch, FastStrainMeetsBothModuli) {
   }
 }
 
+// Near rest a fall is of second order in what is left of the strain, here 1e-6 of the energy: differences of energies would lose
+// it in the rounding of single precision.
+TEST(ThinWallBranch, NearRestSinglePrecisionReleasesWhatDoublePrecisionDoes) {
+  const Grid grid = one_box(1);
+  const std::vector<double> rest = strained(grid, 0.2, 0.1e-3, 71);
+  const std::vector<double> u = moved(rest, strained(grid, 1.0, 0.0, 72), 1e-3);
+  for (const ThinWallMaterial& material : once_and_thrice()) {
+    for (const ThinWallElement element : both_elements) {
+      Patch<double> exact(best_thin_wall_kernels<double>(), element, grid);
+      exact.rest_branches(rest, material.branches.size());
+      static_cast<void>(exact.forces(material, u, {}, 1e-3));
+      EXPECT_GT(exact.outcome.relaxed_J, 0.0);
+      for (const auto& kernels : available_thin_wall_kernels<float>()) {
+        Patch<float> patch(kernels, element, grid);
+        patch.rest_branches(rest, material.branches.size());
+        static_cast<void>(patch.forces(material, u, {}, 1e-3));
+        // strains of 1e-3 that are rounded by some 1e-7
+        EXPECT_NEAR(patch.outcome.relaxed_J / exact.outcome.relaxed_J, 1.0, 2e-3) << name_of(element);
+      }
+    }
+  }
+}
+
 TEST(ThinWallBranch, RelaxingReleasesWhatTheEnergyFallsBy) {
   for (const auto& kernels : available_thin_wall_kernels<double>()) {
     const Grid grid = one_box(0);
