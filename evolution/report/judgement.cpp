@@ -35,8 +35,8 @@ std::string unusable_judge(const Study& search, const Study& judge) {
 io::CsvTable judgement_table(const Study& judge, std::span<const FitDesign> robots, const RunArchive& archive) {
   const int level = judge.search.levels().front();
   const std::string unit(fitness_unit(judge.search.objective));
-  io::CsvTable table({"rank", "individual", "generation", "design", "cells", "fitness_" + unit, "score_" + unit, "scenario",
-                      "friction", "loss_factor", "status", "reason", "dx_m", "dy_m", "dz_m", "body_lengths"});
+  io::CsvTable table({"rank", "individual", "generation", "design", "cells", "phenotype", "fitness_" + unit, "score_" + unit,
+                      "scenario", "friction", "loss_factor", "status", "reason", "dx_m", "dy_m", "dz_m", "body_lengths"});
   const MadeWalks made(archive);
   const std::vector<std::string> protocols = evaluator_of(judge)->scenarios();
   std::vector<Scenario> scenarios = scenarios_of(judge);
@@ -56,9 +56,9 @@ io::CsvTable judgement_table(const Study& judge, std::span<const FitDesign> robo
       std::optional<double> lengths;
       if (result.displacement_m) lengths = body_lengths(*result.displacement_m, level, judge.search.cell_edge_m);
       table.add_row(std::uint64_t{n + 1}, robots[n].individual, archive.individual(robots[n].individual).generation, design,
-                    std::uint64_t{simulated.body.count()}, robots[n].fitness, known.is_failed ? std::nullopt : known.at_most,
-                    std::uint64_t{stage.scenario + 1}, scenario.friction, scenario.loss_factor, io::to_string(result.status),
-                    result.reason, part(0), part(1), part(2), lengths);
+                    std::uint64_t{simulated.body.count()}, phenotype_key(simulated), robots[n].fitness,
+                    known.is_failed ? std::nullopt : known.at_most, std::uint64_t{stage.scenario + 1}, scenario.friction,
+                    scenario.loss_factor, io::to_string(result.status), result.reason, part(0), part(1), part(2), lengths);
     }
   }
   return table;

@@ -48,7 +48,7 @@ GRID = 60  # costs at which lines of progress are drawn
 CHAMPIONS = 40  # costs at which the champion of a search on voxels walks on elements: it has more than a thousand
 
 OUTCOMES = ["arm", "seed", "budget_element_steps", "voxel_steps_per_element_step", "cost_element_steps", "generations", "evaluations", "search_body_lengths", "individual",
-            "design", "cells", "first_body_lengths", "best_body_lengths", "reason"]
+            "design", "cells", "phenotype", "first_body_lengths", "best_body_lengths", "reason"]
 PROGRESS = ["arm", "seed", "generation", "cost_element_steps", "champion", "body_lengths"]
 
 
@@ -127,7 +127,7 @@ def outcome_of(results, arm, seed):
            "first_body_lengths": number(score(judged[1]) if judged else 0.0), "best_body_lengths": number(score(best) if best else 0.0)}
     if best:
         row |= {"individual": best[0]["individual"], "design": best[0]["design"], "cells": best[0]["cells"],
-                "reason": next((one["reason"] for one in best if one["reason"]), "")}
+                "phenotype": best[0]["phenotype"], "reason": next((one["reason"] for one in best if one["reason"]), "")}
     return row
 
 

@@ -131,10 +131,10 @@ class Searches(unittest.TestCase):
         self.assertEqual(self.call("study", arm, seed, EXPERIMENT / "trial_size.toml", study).returncode, 0)
         self.put(f"{name}/generations.csv", "generation champion best_fitness_body_lengths evaluations", [[0, 5, 0.1, 15], [1, 9, 0.2, 16]])
         self.put(f"{name}/costs.csv", "generation voxel_steps element_steps", [[0, 0, 1e6], [1, 0, 2e6]])
-        columns = "rank individual design cells score_body_lengths friction dx_m dy_m body_lengths reason"
-        self.put(f"{name}.fine.csv", columns, [[1, 9, "a", 20, "", 0.4, "", "", "", "it fell"], [1, 9, "a", 20, "", 0.8, 0.01, 0, 0.3, ""],
-                                               [2, 5, "b", 19, best, 0.4, 0, 0.03, best, ""], [2, 5, "b", 19, best, 0.8, 0, 0.04, 0.5, ""]])
-        self.put(f"{name}.champions.csv", columns, [[1, 5, "b", 19, 0.03, 0.4, 0, 0, 0.03, ""], [2, 9, "a", 20, "", 0.4, "", "", "", "it fell"]])
+        columns = "rank individual design cells phenotype score_body_lengths friction dx_m dy_m body_lengths reason"
+        self.put(f"{name}.fine.csv", columns, [[1, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"], [1, 9, "a", 20, "110", "", 0.8, 0.01, 0, 0.3, ""],
+                                               [2, 5, "b", 19, "101", best, 0.4, 0, 0.03, best, ""], [2, 5, "b", 19, "101", best, 0.8, 0, 0.04, 0.5, ""]])
+        self.put(f"{name}.champions.csv", columns, [[1, 5, "b", 19, "101", 0.03, 0.4, 0, 0, 0.03, ""], [2, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"]])
 
     def test_a_finished_search_is_not_missing_any_more(self):
         self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), list(proof.ARMS))
@@ -146,6 +146,7 @@ class Searches(unittest.TestCase):
         row, = table_of(self.tables / "outcomes.csv")
         self.assertEqual(row["best_body_lengths"], "0.07")
         self.assertEqual(row["individual"], "5")
+        self.assertEqual(row["phenotype"], "101", "from which the robot can be made without its archive")
         self.assertEqual(row["first_body_lengths"], "0", "a robot without a score does not walk")
         self.assertEqual(float(row["cost_element_steps"]), 3e6)
         self.assertEqual(row["evaluations"], "31")
