@@ -106,8 +106,8 @@ class BlockElement {
     for_each_branch(task_, branch, [&](std::size_t n, const Number* own) {
       BlockBranch<T> state;
       state.load(own);
-      const T change =
-          (contraction(state.tensor, metric()) - T(3.0)) - log(determinant(state.tensor) * gradient_.ratio * gradient_.ratio);
+      const T ratios = determinant(state.tensor, cofactor(state.tensor)) * gradient_.ratio * gradient_.ratio;
+      const T change = (contraction(state.tensor, metric()) - T(3.0)) - log(ratios);
       const T stored = fma(T(0.5) * mu_, change, quadratic_energy(difference(strains_, state.strains)));
       sum = fma(T(task_.branch_ratios[n]), stored, sum);
     });
@@ -245,17 +245,10 @@ class BlockElement {
     return forces;
   }
 
-  /// C
+  /// C = F^T F
   [[nodiscard]] MENGER_HOST_DEVICE SymmetricTensor<T> metric() const {
     const auto& f = gradient_.columns;
     return {dot(f[0], f[0]), dot(f[1], f[1]), dot(f[2], f[2]), dot(f[1], f[2]), dot(f[0], f[2]), dot(f[0], f[1])};
-  }
-
-  MENGER_HOST_DEVICE static T determinant(const std::array<T, 6>& A) {
-    const T first = fms(A[1], A[2], A[3] * A[3]);
-    const T second = fms(A[3], A[4], A[5] * A[2]);
-    const T third = fms(A[5], A[3], A[1] * A[4]);
-    return fma(A[0], first, fma(A[5], second, A[4] * third));
   }
 
   const ThinWallTask<Number>& task_;

@@ -58,6 +58,12 @@ MENGER_HOST_DEVICE SymmetricTensor<T> cofactor(const SymmetricTensor<T>& a) {
           fms(a[4], a[5], a[0] * a[3]), fms(a[3], a[5], a[1] * a[4]), fms(a[3], a[4], a[2] * a[5])};
 }
 
+/// @param cofactors of a
+template <class T>
+MENGER_HOST_DEVICE T determinant(const SymmetricTensor<T>& a, const SymmetricTensor<T>& cofactors) {
+  return fma(a[0], cofactors[0], fma(a[5], cofactors[5], a[4] * cofactors[4]));
+}
+
 /// a : b
 template <class T>
 MENGER_HOST_DEVICE T contraction(const SymmetricTensor<T>& a, const SymmetricTensor<T>& b) {
@@ -74,8 +80,7 @@ template <class T>
 MENGER_HOST_DEVICE T energy_fall(const SymmetricTensor<T>& before, const SymmetricTensor<T>& after, const SymmetricTensor<T>& C) {
   const SymmetricTensor<T> change = difference(after, before);
   const SymmetricTensor<T> cofactors = cofactor(before);
-  const T first_row = fma(before[5], cofactors[5], before[4] * cofactors[4]);
-  const T by_determinant = T(1.0) / fma(before[0], cofactors[0], first_row);
+  const T by_determinant = T(1.0) / determinant(before, cofactors);
   SymmetricTensor<T> inverse;
   for (std::size_t i = 0; i < 6; ++i) inverse[i] = by_determinant * cofactors[i];
   const SymmetricTensor<T> changed_cofactors = cofactor(change);

@@ -478,6 +478,7 @@ class WallElement {
     return fma(A[3], m.inverse, in_plane - T(3.0));
   }
 
+  /// The tensor of a wall with its shears across the layer, which are zero.
   MENGER_HOST_DEVICE static SymmetricTensor<T> whole(const std::array<T, 4>& A) {
     return {A[0], A[1], A[3], T(0.0), T(0.0), A[2]};
   }
