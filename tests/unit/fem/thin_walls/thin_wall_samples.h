@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 #include <xsimd/xsimd.hpp>
 
@@ -121,14 +122,14 @@ class Patch {
  public:
   using Numbers = std::vector<Number, xsimd::aligned_allocator<Number, 64>>;
 
-  Patch(const ThinWallKernels<Number>& kernels, ThinWallElement element, const Grid& grid)
-      : kernels_(kernels), element_(element), node_count_(grid.node_count()) {
+  Patch(ThinWallKernels<Number> kernels, ThinWallElement element, const Grid& grid)
+      : kernels_(std::move(kernels)), element_(element), node_count_(grid.node_count()) {
     std::vector<std::array<std::size_t, 3>> boxes;
     for (std::size_t k = 0; k + 1 < grid.nodes_along(2); ++k)
       for (std::size_t j = 0; j + 1 < grid.nodes_along(1); ++j)
         for (std::size_t i = 0; i + 1 < grid.nodes_along(0); ++i) boxes.push_back({i, j, k});
     count_ = boxes.size();
-    const std::size_t width = kernels.width;
+    const std::size_t width = kernels_.width;
     const std::size_t batches = (count_ + width - 1) / width;
     shapes_.resize(shape_numbers_per_lane * width * batches);
     pressures_.resize(batches, 0.0);
@@ -220,7 +221,7 @@ class Patch {
     return result;
   }
 
-  const ThinWallKernels<Number>& kernels_;
+  ThinWallKernels<Number> kernels_;
   ThinWallElement element_;
   std::size_t node_count_;
   std::size_t count_ = 0;
