@@ -2,13 +2,11 @@
 # A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "seed_$seed" "80 min of two cores" "a search of each arm, and its best robots on fine elements"
+  part_on_request "seed_$seed" "80 min of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements"
 done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
-part_on_request two_layers "30 min of two cores" "the winners with two layers of elements through the wall"
 part_on_request short "75 min of two cores" "ten seeds of searches a tenth as long; tables in paper/proof/short"
-part_on_request short_two_layers "30 min of two cores" "the winners of these with two layers of elements through the wall"
 part_on_request trial "3 min" "three seeds of the smallest searches; results and tables in build/paper/proof/trial"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -16,7 +14,7 @@ proof() { "$study/proof.py" "$@"; }
 
 # A search of an arm, and what is wanted of it: arm, seed, size, folder of results, folder of tables.
 one_search() {
-  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions
+  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions best
   say "proof: seed $seed, $arm"
   proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
@@ -27,6 +25,10 @@ one_search() {
     read -ra champions <<<"$champions"
     if [ ${#champions[@]} -gt 0 ]; then champions=(--individuals "${champions[@]}"); else champions=(--champions); fi  # none: an empty table
     menger confirm "$out/$name.sqlite" "$study/elements.toml" "${champions[@]}" --output "$out/$name.champions.csv"
+  else
+    # With the search, not later: archives are not kept in git.
+    best=$(proof best "$out" "$arm" "$seed")
+    [ -z "$best" ] || menger confirm "$out/$name.sqlite" "$study/two_layers.toml" --individuals "$best" --output "$out/$name.layers.csv"
   fi
   proof take "$out" "$tables" "$arm" "$seed"
 }
@@ -65,25 +67,10 @@ cost() {
   proof cost "$results/cost"
 }
 
-# The winners of the searches in a folder of results, with tables in another one.
-winners_on_two_layers() {
-  local folder=$1 tables=$2 arm seed individual
-  proof winners "$tables" >"$folder/winners.txt"
-  while read -r arm seed individual; do
-    menger confirm "$folder/${arm}_$seed.sqlite" "$study/two_layers.toml" --individuals "$individual" \
-      --output "$folder/${arm}_$seed.layers.csv" </dev/null
-    proof layers "$folder" "$tables"
-  done <"$folder/winners.txt"
-}
-
-two_layers() { winners_on_two_layers "$results" "$study"; }
-
 short() {
   local seed
   for seed in 1 2 3 4 5 6 7 8 9 10; do searches $seed "$study/short_size.toml" "$results/short" "$study/short"; done
 }
-
-short_two_layers() { winners_on_two_layers "$results/short" "$study/short"; }
 
 trial() {
   local seed

@@ -6,11 +6,10 @@ proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
 proof.py missing TABLES SEED                  prints the arms of a seed that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
-proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv and walks.csv
+proof.py best RESULTS ARM SEED                prints the individual that counts of a search on finite elements; nothing if none walks
+proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv, walks.csv and layers.csv
 proof.py walks RESULTS TABLES ARM SEED        adds its walks to walks.csv alone
-proof.py winners TABLES                       prints "ARM SEED INDIVIDUAL" of the winners of the better arm on finite elements
-proof.py layers RESULTS TABLES                makes layers.csv: winners with two layers of elements
-proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv and proof.svg
+proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv, layer_statistics.csv and proof.svg
 
 A score is the displacement in a period of the drive, in body lengths, in the worst of three frictions. A robot without a score does not
 walk: it counts as 0. Exit codes: 0 done, 2 wrong input.
@@ -113,13 +112,23 @@ def score(rows):
     return value(rows[0]["score_body_lengths"]) or 0.0
 
 
+def judged_robots(results, arm, seed):
+    """The robots of a finished search that walked on fine elements, as robots_of has them."""
+    return robots_of(read_table(results / f"{arm}_{seed}.fine.csv"))
+
+
+def best_of(robots):
+    """The rows of the best robot; None without robots."""
+    return max(robots.values(), key=score, default=None)
+
+
 def outcome_of(results, arm, seed):
     """The row of a finished search: its best robot on fine elements, of those that were judged."""
     name = f"{arm}_{seed}"
     budget = budget_in(results / "studies" / f"{name}.toml")
     generations = read_table(results / name / "generations.csv")
-    judged = robots_of(read_table(results / f"{name}.fine.csv"))
-    best = max(judged.values(), key=score, default=None)
+    judged = judged_robots(results, arm, seed)
+    best = best_of(judged)
     row = {"arm": arm, "seed": seed, "budget_element_steps": number(budget["element_steps"]),
            "voxel_steps_per_element_step": number(budget.get("voxel_steps_per_element_step")),
            "cost_element_steps": number(summed_costs(results / name, budget)[-1]), "generations": len(generations) - 1,
@@ -273,37 +282,43 @@ def compared_arms(outcomes, pairs):
                "superiority_high": number(most), "rank_sum_p": number(rank_sum_p(a, b))}
 
 
-def better_arm(tables):
-    outcomes = outcomes_by_arm(tables)
-    arms = [arm for arm in ARMS if arm not in OF_VOXELS and outcomes[arm]]
-    if not arms:
-        raise InputError(f"{tables}/outcomes.csv: has no search on finite elements")
-    return max(arms, key=lambda arm: median(outcomes[arm]))
+LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
 
 
-def winners(tables):
-    arm = better_arm(tables)
-    return [row for row in read_table(tables / "outcomes.csv") if row["arm"] == arm and float(row["best_body_lengths"]) > 0.0]
+def layers_of(results, arm, seed):
+    """The best robot of a search at the friction of two_layers.toml on one layer of fine elements and on two layers; nothing where no
+    robot walks."""
+    best = best_of(judged_robots(results, arm, seed))
+    if not best or not score(best):
+        return
+    file = results / f"{arm}_{seed}.layers.csv"
+    two = next((row for row in read_table(file) if row["individual"] == best[0]["individual"]), None)
+    one = next((row for row in best if two and row["friction"] == two["friction"]), None)
+    if one is None:
+        raise InputError(f"{file}: has no walk of individual {best[0]['individual']} at a friction of {arm}_{seed}.fine.csv")
+    row = {"arm": arm, "seed": seed, "individual": one["individual"], "one_body_lengths": one["body_lengths"],
+           "two_body_lengths": two["body_lengths"], "reason": two["reason"]}
+    if one["dx_m"] and two["dx_m"]:
+        ways = [(float(found["dx_m"]), float(found["dy_m"])) for found in (one, two)]
+        row |= {"ratio": number(float(two["body_lengths"]) / float(one["body_lengths"])), "angle_deg": number(angle_deg(*ways))}
+    yield row
 
 
-def layer_rows(results, tables):
-    """Winners at the friction of two_layers.toml on one layer of elements and on two."""
-    for row in winners(tables):
-        name = f"{row['arm']}_{row['seed']}"
-        file = results / f"{name}.layers.csv"
-        if not file.exists():
+LAYER_STATISTICS = ["arm", "winners", "walking", "same_way", "speed_ratio", "speed_difference"]
+SAME_WAY_DEG = 45.0
+
+
+def layer_statistics_rows(layers):
+    """Of each arm: its best robots that were tried on two layers, those that walk there, those that keep their direction, and medians
+    over those that walk of the ratio of both speeds and of its distance from 1."""
+    for arm in ARMS:
+        of_arm = [row for row in layers if row["arm"] == arm]
+        ratios = [float(row["ratio"]) for row in of_arm if row["ratio"]]
+        if not ratios:
             continue
-        two = next(iter(read_table(file)), None)
-        one = next((found for found in read_table(results / f"{name}.fine.csv")
-                    if two and found["individual"] == row["individual"] and found["friction"] == two["friction"]), None)
-        if one is None:
-            raise InputError(f"{file}: has no walk, or {name}.fine.csv none of individual {row['individual']} at its friction")
-        cells = {"arm": row["arm"], "seed": row["seed"], "individual": row["individual"], "one_body_lengths": one["body_lengths"],
-                 "two_body_lengths": two["body_lengths"], "reason": two["reason"]}
-        if one["dx_m"] and two["dx_m"]:
-            ways = [(float(found["dx_m"]), float(found["dy_m"])) for found in (one, two)]
-            cells |= {"ratio": number(float(two["body_lengths"]) / float(one["body_lengths"])), "angle_deg": number(angle_deg(*ways))}
-        yield cells
+        yield {"arm": arm, "winners": len(of_arm), "walking": len(ratios),
+               "same_way": sum(float(row["angle_deg"]) <= SAME_WAY_DEG for row in of_arm if row["angle_deg"]),
+               "speed_ratio": number(median(ratios)), "speed_difference": number(median([abs(ratio - 1.0) for ratio in ratios]))}
 
 
 WALKS = ["arm", "seed", "rank", "individual", "friction", "body_lengths"]
@@ -338,9 +353,6 @@ def by_friction_rows(walks):
             yield {"arm": arm, "friction": friction, "searches": len(searches),
                    "first_body_lengths": number(median([at(robots[min(robots)]) for robots in searches.values()])),
                    "best_body_lengths": number(median([max(map(at, robots.values())) for robots in searches.values()]))}
-
-
-LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
 
 
 def at_cost(rows, cost):
@@ -413,28 +425,30 @@ def main(arguments):
                 write_table(HERE / "cost.csv", ["what", "value"], cost_rows(pathlib.Path(results)))
             case ["champions", results, arm, seed] if arm in ARMS:
                 print(*(one[2] for one in drawn_champions(list(champions_of(pathlib.Path(results), arm, seed)))))
+            case ["best", results, arm, seed] if arm in ARMS:
+                best = best_of(judged_robots(pathlib.Path(results), arm, seed))
+                if best and score(best):
+                    print(best[0]["individual"])
             case ["take", results, tables, arm, seed] if arm in ARMS:
                 results, tables = pathlib.Path(results), pathlib.Path(tables)
                 progress = list(progress_of(results, arm, seed))
                 outcome = outcome_of(results, arm, seed)
+                if arm not in OF_VOXELS:
+                    add_rows(tables / "layers.csv", LAYERS, arm, seed, list(layers_of(results, arm, seed)))
                 add_rows(tables / "progress.csv", PROGRESS, arm, seed, progress)
                 add_rows(tables / "walks.csv", WALKS, arm, seed, list(walks_of(results, arm, seed)))
                 # the last one: a search whose outcome is there is not run again
                 add_rows(tables / "outcomes.csv", OUTCOMES, arm, seed, [outcome])
             case ["walks", results, tables, arm, seed] if arm in ARMS:
                 add_rows(pathlib.Path(tables) / "walks.csv", WALKS, arm, seed, list(walks_of(pathlib.Path(results), arm, seed)))
-            case ["winners", tables]:
-                for row in winners(pathlib.Path(tables)):
-                    print(row["arm"], row["seed"], row["individual"])
-            case ["layers", results, tables]:
-                tables = pathlib.Path(tables)
-                write_table(tables / "layers.csv", LAYERS, layer_rows(pathlib.Path(results), tables))
             case ["summary", tables]:
                 tables = pathlib.Path(tables)
                 outcomes = outcomes_by_arm(tables)
                 write_table(tables / "statistics.csv", STATISTICS, statistics_rows(outcomes))
                 if (tables / "walks.csv").exists():
                     write_table(tables / "by_friction.csv", BY_FRICTION, by_friction_rows(read_table(tables / "walks.csv")))
+                if (tables / "layers.csv").exists():
+                    write_table(tables / "layer_statistics.csv", LAYER_STATISTICS, layer_statistics_rows(read_table(tables / "layers.csv")))
                 write_table(tables / "first.csv", STATISTICS, statistics_rows(outcomes_by_arm(tables, "first_body_lengths")))
                 (tables / "proof.svg").write_text(draw(outcomes, read_table(tables / "progress.csv")), encoding="utf-8")
             case _:

@@ -115,6 +115,8 @@ class Searches(unittest.TestCase):
         self.tables = pathlib.Path(folder.name) / "tables"
         self.tables.mkdir()
 
+    LAYERS = "rank individual friction dx_m dy_m body_lengths reason"
+
     def put(self, name, columns, rows):
         file = self.results / name
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -134,6 +136,7 @@ class Searches(unittest.TestCase):
         columns = "rank individual design cells phenotype score_body_lengths friction dx_m dy_m body_lengths reason"
         self.put(f"{name}.fine.csv", columns, [[1, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"], [1, 9, "a", 20, "110", "", 0.8, 0.01, 0, 0.3, ""],
                                                [2, 5, "b", 19, "101", best, 0.4, 0, 0.03, best, ""], [2, 5, "b", 19, "101", best, 0.8, 0, 0.04, 0.5, ""]])
+        self.put(f"{name}.layers.csv", self.LAYERS, [[1, 5, 0.8, 0.04, 0.04, 0.25, ""]])
         self.put(f"{name}.champions.csv", columns, [[1, 5, "b", 19, "101", 0.03, 0.4, 0, 0, 0.03, ""], [2, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"]])
 
     def test_a_finished_search_is_not_missing_any_more(self):
@@ -219,7 +222,6 @@ class Searches(unittest.TestCase):
             self.assertIn(colour, picture)
         self.call("summary", self.tables)
         self.assertEqual((self.tables / "proof.svg").read_text(), picture, "the same searches give the same bytes")
-        self.assertEqual(self.call("winners", self.tables).stdout.splitlines()[0], "elements 1 5")
 
     def test_searches_of_different_cost_are_not_compared(self):
         self.make("elements", 1, 0.07)
@@ -232,22 +234,39 @@ class Searches(unittest.TestCase):
         self.assertEqual(summary.returncode, 2)
         self.assertIn("budget_element_steps", summary.stderr)
 
+    def test_the_best_robot_walks_on_two_layers(self):
+        self.make("elements", 1, 0.07)
+        self.assertEqual(self.call("best", self.results, "elements", 1).stdout, "5\n")
+        self.assertEqual(self.call("take", self.results, self.tables, "elements", 1).returncode, 0)
+        row, = table_of(self.tables / "layers.csv")
+        self.assertEqual((row["individual"], row["ratio"], row["angle_deg"]), ("5", "0.5", "45"))
+        self.make("elements", 2, 0.07)
+        self.put("elements_2.layers.csv", self.LAYERS, [[1, 5, 0.8, "", "", 0, "it fell"]])
+        self.make("elements", 3, 0.07)
+        self.put("elements_3.layers.csv", self.LAYERS, [[1, 5, 0.8, 0, -0.02, 0.4, ""]])
+        for seed in (2, 3):
+            self.assertEqual(self.call("take", self.results, self.tables, "elements", seed).returncode, 0)
+        self.assertEqual(self.call("summary", self.tables).returncode, 0)
+        row, = table_of(self.tables / "layer_statistics.csv")
+        self.assertEqual((row["winners"], row["walking"], row["same_way"]), ("3", "2", "1"), "one fell, one went the other way")
+        self.assertEqual((row["speed_ratio"], row["speed_difference"]), ("0.65", "0.35"))
+
     def test_a_walk_that_is_missing_is_named(self):
         self.make("elements", 1, 0.07)
-        self.call("take", self.results, self.tables, "elements", 1)
-        self.put("elements_1.layers.csv", "rank individual friction dx_m dy_m body_lengths reason", [])
-        outcome = self.call("layers", self.results, self.tables)
-        self.assertEqual(outcome.returncode, 2)
-        self.assertIn("elements_1.layers.csv", outcome.stderr)
+        for rows in ([], [[1, 9, 0.8, 0.04, 0.04, 0.25, ""]], [[1, 5, 0.7, 0.04, 0.04, 0.25, ""]]):
+            self.put("elements_1.layers.csv", self.LAYERS, rows)
+            outcome = self.call("take", self.results, self.tables, "elements", 1)
+            self.assertEqual(outcome.returncode, 2)
+            self.assertIn("elements_1.layers.csv", outcome.stderr)
+            self.assertFalse((self.tables / "outcomes.csv").exists(), "such a search is not finished")
 
-    def test_winners_on_two_layers(self):
-        self.make("elements", 1, 0.07)
-        self.call("take", self.results, self.tables, "elements", 1)
-        self.put("elements_1.layers.csv", "rank individual friction dx_m dy_m body_lengths reason", [[1, 5, 0.8, 0.04, 0.04, 0.25, ""]])
-        self.assertEqual(self.call("layers", self.results, self.tables).returncode, 0)
-        row, = table_of(self.tables / "layers.csv")
-        self.assertEqual(row["ratio"], "0.5")
-        self.assertEqual(row["angle_deg"], "45")
+    def test_a_search_without_a_walker_has_none_to_try(self):
+        self.make("elements", 1, 0)
+        (self.results / "elements_1.layers.csv").unlink()
+        self.assertEqual(self.call("best", self.results, "elements", 1).stdout, "")
+        taken = self.call("take", self.results, self.tables, "elements", 1)
+        self.assertEqual(taken.returncode, 0, taken.stderr)
+        self.assertEqual(table_of(self.tables / "layers.csv"), [])
 
     def test_wrong_input_is_named(self):
         for words in (("summary", self.tables), ("take", self.results, self.tables, "elements", 1), ("study", "lava", 1, "a", "b")):
