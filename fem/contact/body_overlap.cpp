@@ -186,6 +186,31 @@ meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::si
   return corners;
 }
 
+/// The hulls of the few elements that need one.
+class HullsAsNeeded {
+ public:
+  HullsAsNeeded(const meshes::HexahedralMesh& mesh, std::span<const double> displacements_m)
+      : mesh_(mesh), displacements_(displacements_m), places_(mesh.elements.size(), none) {}
+
+  void need(const std::array<std::size_t, 2>& elements) {
+    for (const std::size_t element : elements) {
+      if (places_[element] != none) continue;
+      places_[element] = static_cast<std::uint32_t>(hulls_.size());
+      hulls_.push_back(hull_of(current_corners(mesh_, element, displacements_)));
+    }
+  }
+  /// Returns the hull of an element that was needed.
+  [[nodiscard]] const Hull& of(std::size_t element) const { return hulls_[places_[element]]; }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  const meshes::HexahedralMesh& mesh_;
+  std::span<const double> displacements_;
+  std::vector<std::uint32_t> places_;
+  std::vector<Hull> hulls_;
+};
+
 }  // namespace
 
 BodyOverlapSearch::BodyOverlapSearch(const meshes::HexahedralMesh& mesh) : mesh_(mesh), neighbours_(mesh.elements.size()) {
@@ -204,7 +229,7 @@ BodyOverlapSearch::BodyOverlapSearch(const meshes::HexahedralMesh& mesh) : mesh_
 /// @param second greater than the first
 bool BodyOverlapSearch::share_a_node(std::size_t first, std::size_t second) const {
   const std::vector<std::uint32_t>& neighbours = neighbours_[first];
-  return std::find(neighbours.begin(), neighbours.end(), static_cast<std::uint32_t>(second)) != neighbours.end();
+  return std::binary_search(neighbours.begin(), neighbours.end(), static_cast<std::uint32_t>(second));
 }
 
 std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displacements_m, double share) const {
@@ -212,16 +237,13 @@ std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displ
   std::vector<Box> boxes(mesh_.elements.size());
   for (std::size_t e = 0; e < boxes.size(); ++e)
     for (const Point& corner : current_corners(mesh_, e, displacements_m)) boxes[e].add(corner);
-  std::vector<std::optional<Hull>> hulls(boxes.size());  // of the few elements that need one
-  const auto hull = [&](std::size_t e) -> const Hull& {
-    if (!hulls[e]) hulls[e] = hull_of(current_corners(mesh_, e, displacements_m));
-    return *hulls[e];
-  };
+  HullsAsNeeded hulls(mesh_, displacements_m);
   BodyOverlap found;
   BoxBins(boxes).visit_pairs([&](std::size_t first, std::size_t second) {
     if (share_a_node(first, second)) return;
-    const Hull& a = hull(first);
-    const Hull& b = hull(second);
+    hulls.need({first, second});
+    const Hull& a = hulls.of(first);
+    const Hull& b = hulls.of(second);
     const double thinner = std::min(a.thickness, b.thickness);
     const double depth = depth_between(a, b, share * thinner);
     if (!(depth > share * thinner)) return;
