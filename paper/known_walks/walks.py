@@ -178,13 +178,13 @@ def main(words):
         return 2
     try:
         if words[0] == "choose":
-            choose(pathlib.Path(words[1]), words[2])
+            choose(pathlib.Path(words[1]), pathlib.Path(words[2]))
         elif words[0] == "names":
             print("\n".join(row["robot"] for row in read_table(words[1])))
         elif words[0] == "study":
             study_of(words[1], words[2], pathlib.Path(words[3]))
         else:
-            gather(pathlib.Path(words[1]), words[2])
+            gather(pathlib.Path(words[1]), pathlib.Path(words[2]))
     except InputError as error:
         print(f"walks.py: error: {error}", file=sys.stderr)
         return 2

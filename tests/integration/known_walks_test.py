@@ -235,10 +235,13 @@ class Studies(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def study(self, change):
-        outcome = subprocess.run([str(EXPERIMENT / "walks.py"), "study", "stand18", change, str(self.folder)], capture_output=True, text=True, check=False)
+    def command(self, *words):
+        outcome = subprocess.run([str(EXPERIMENT / "walks.py"), *map(str, words)], capture_output=True, text=True, check=False)
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
-        return tomllib.loads(pathlib.Path(outcome.stdout.strip()).read_text())
+        return outcome.stdout
+
+    def study(self, change):
+        return tomllib.loads(pathlib.Path(self.command("study", "stand18", change, self.folder).strip()).read_text())
 
     def test_each_changes_one_thing(self):
         manifest = self.folder / "stand18" / "standard" / "manifest.json"
@@ -266,7 +269,7 @@ class Studies(unittest.TestCase):
         lines = ["time_s,centre_of_mass_x_m,centre_of_mass_y_m"]
         lines += [f"{n / 100:.2f},{1.0 + 0.003 * n / 100},{2.0 - 0.006 * n / 100}" for n in range(501)]
         (robot / "trajectory.csv").write_text("\n".join(lines) + "\n")
-        walks.gather(self.folder / "results", self.folder / "walks.csv")
+        self.command("gather", self.folder / "results", self.folder / "walks.csv")
         row, = table_of(self.folder / "walks.csv")
         self.assertEqual((row["robot"], row["change"], row["elements"]), ("stand18", "standard", "7"))
         self.assertEqual([float(row[key]) for key in ("x_1_um", "y_1_um", "x_15_um", "y_15_um")], [1000.0, -2000.0, 15000.0, -30000.0])
@@ -288,7 +291,7 @@ class Studies(unittest.TestCase):
         self.screen("1", {(9, "111"): (2.0, "completed"), (3, "110"): (-1.5, "completed"), (1, "101"): (0.9, "completed"),
                           (2, "011"): (4.0, "diverged")})
         self.screen("2", {(1, "112"): (3.0, "completed"), (2, "100"): (5.0, "completed")})
-        walks.choose(self.folder, self.folder / "robots.csv")
+        self.command("choose", self.folder, self.folder / "robots.csv")
         chosen = table_of(self.folder / "robots.csv")
         self.assertEqual([row["robot"] for row in chosen], ["search_1_rank_03", "search_1_rank_09", "search_2_rank_02", *walks.SHIPPED])
         self.assertEqual((chosen[1]["layers"], chosen[1]["surrogate_dx_m"]), ("111", "2.0"))
