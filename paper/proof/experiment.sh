@@ -14,7 +14,7 @@ proof() { "$study/proof.py" "$@"; }
 
 # A search of an arm, and what is wanted of it: arm, seed, size, folder of results, folder of tables.
 one_search() {
-  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions best
+  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions winner
   say "proof: seed $seed, $arm"
   proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
@@ -25,10 +25,10 @@ one_search() {
     read -ra champions <<<"$champions"
     if [ ${#champions[@]} -gt 0 ]; then champions=(--individuals "${champions[@]}"); else champions=(--champions); fi  # none: an empty table
     menger confirm "$out/$name.sqlite" "$study/elements.toml" "${champions[@]}" --output "$out/$name.champions.csv"
-  else
+  elif [ "$(proof number "$size" two_layers)" = True ]; then
     # With the search, not later: archives are not kept in git.
-    best=$(proof best "$out" "$arm" "$seed")
-    [ -z "$best" ] || menger confirm "$out/$name.sqlite" "$study/two_layers.toml" --individuals "$best" --output "$out/$name.layers.csv"
+    winner=$(proof winner "$out" "$arm" "$seed")
+    [ -z "$winner" ] || menger confirm "$out/$name.sqlite" "$study/two_layers.toml" --individuals "$winner" --output "$out/$name.layers.csv"
   fi
   proof take "$out" "$tables" "$arm" "$seed"
 }

@@ -6,9 +6,8 @@ proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
 proof.py missing TABLES SEED                  prints the arms of a seed that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
-proof.py best RESULTS ARM SEED                prints the individual that counts of a search on finite elements; nothing if none walks
+proof.py winner RESULTS ARM SEED              prints the individual that counts of a search on finite elements; nothing if none walks
 proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv, walks.csv and layers.csv
-proof.py walks RESULTS TABLES ARM SEED        adds its walks to walks.csv alone
 proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv, layer_statistics.csv and proof.svg
 
 A score is the displacement in a period of the drive, in body lengths, in the worst of three frictions. A robot without a score does not
@@ -37,6 +36,7 @@ NAMES = {"voxels": "voxels at one friction", "elements": "finite elements", "bot
 SHORT_NAMES = {"voxels": "voxels", "elements": "elements", "both": "both", "voxels_robust": "voxels, 3"}
 STYLES = {"voxels": ("#D55E00", "triangle"), "elements": ("#0072B2", "circle"), "both": ("#009E73", "diamond"), "voxels_robust": ("#CC79A7", "square")}
 OF_VOXELS = ("voxels", "voxels_robust")  # arms whose scores are not those of finite elements
+ON_ELEMENTS = tuple(arm for arm in ARMS if arm not in OF_VOXELS)
 # Those that were planned before the searches, and those that were added when robots of voxels turned out to fail at other frictions.
 COMPARISONS = ((("elements", "voxels"), ("both", "voxels"), ("both", "elements")),
                (("elements", "voxels_robust"), ("both", "voxels_robust"), ("voxels_robust", "voxels")))
@@ -120,6 +120,12 @@ def judged_robots(results, arm, seed):
 def best_of(robots):
     """The rows of the best robot; None without robots."""
     return max(robots.values(), key=score, default=None)
+
+
+def winner_of(robots):
+    """The rows of the best robot if it walks; None otherwise."""
+    best = best_of(robots)
+    return best if best and score(best) else None
 
 
 def outcome_of(results, arm, seed):
@@ -265,8 +271,8 @@ def statistics_rows(outcomes):
     """The comparisons of arms, corrected for those that were made at once: the planned ones, and those that were added."""
     for pairs in COMPARISONS:
         rows = list(compared_arms(outcomes, pairs))
-        for row, p in zip(rows, holm([value(row.get("rank_sum_p", "")) for row in rows])):
-            yield row | {"holm_p": number(p)}
+        for row, p in zip(rows, holm([row["rank_sum_p"] for row in rows])):
+            yield row | {"rank_sum_p": number(row["rank_sum_p"]), "holm_p": number(p)}
 
 
 def compared_arms(outcomes, pairs):
@@ -279,46 +285,47 @@ def compared_arms(outcomes, pairs):
                "median_body_lengths": number(median(a)), "median_than_body_lengths": number(median(b)),
                "difference_body_lengths": number(difference_of_medians(a, b)), "difference_low": number(low),
                "difference_high": number(high), "superiority": number(superiority(a, b)), "superiority_low": number(least),
-               "superiority_high": number(most), "rank_sum_p": number(rank_sum_p(a, b))}
+               "superiority_high": number(most), "rank_sum_p": rank_sum_p(a, b)}
 
 
 LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
 
 
 def layers_of(results, arm, seed):
-    """The best robot of a search at the friction of two_layers.toml on one layer of fine elements and on two layers; nothing where no
-    robot walks."""
-    best = best_of(judged_robots(results, arm, seed))
-    if not best or not score(best):
+    """The winner of a search at the friction of two_layers.toml, on one layer of fine elements and on two layers. Nothing where no robot
+    walks. A walk that failed on two layers has no ratio and no angle, and the reason."""
+    winner = winner_of(judged_robots(results, arm, seed))
+    if not winner:
         return
     file = results / f"{arm}_{seed}.layers.csv"
-    two = next((row for row in read_table(file) if row["individual"] == best[0]["individual"]), None)
-    one = next((row for row in best if two and row["friction"] == two["friction"]), None)
+    two = next((row for row in read_table(file) if row["individual"] == winner[0]["individual"]), None)
+    one = next((row for row in winner if two and row["friction"] == two["friction"]), None)
     if one is None:
-        raise InputError(f"{file}: has no walk of individual {best[0]['individual']} at a friction of {arm}_{seed}.fine.csv")
+        raise InputError(f"{file}: has no walk of individual {winner[0]['individual']} at a friction of {arm}_{seed}.fine.csv")
     row = {"arm": arm, "seed": seed, "individual": one["individual"], "one_body_lengths": one["body_lengths"],
            "two_body_lengths": two["body_lengths"], "reason": two["reason"]}
-    if one["dx_m"] and two["dx_m"]:
+    if not two["reason"]:
         ways = [(float(found["dx_m"]), float(found["dy_m"])) for found in (one, two)]
         row |= {"ratio": number(float(two["body_lengths"]) / float(one["body_lengths"])), "angle_deg": number(angle_deg(*ways))}
     yield row
 
 
-LAYER_STATISTICS = ["arm", "winners", "walking", "same_way", "speed_ratio", "speed_difference"]
+LAYER_STATISTICS = ["arm", "winners", "walking", "same_way", "speed_ratio", "relative_speed_difference"]
 SAME_WAY_DEG = 45.0
 
 
 def layer_statistics_rows(layers):
-    """Of each arm: its best robots that were tried on two layers, those that walk there, those that keep their direction, and medians
-    over those that walk of the ratio of both speeds and of its distance from 1."""
-    for arm in ARMS:
+    """Of each arm: its winners that were tried on two layers, those that walk there, those that go the same way within 45 degrees, and
+    of those that walk the medians of the ratio of both speeds and of its distance from 1."""
+    for arm in ON_ELEMENTS:
         of_arm = [row for row in layers if row["arm"] == arm]
-        ratios = [float(row["ratio"]) for row in of_arm if row["ratio"]]
-        if not ratios:
+        if not of_arm:
             continue
+        ratios = [float(row["ratio"]) for row in of_arm if row["ratio"]]
         yield {"arm": arm, "winners": len(of_arm), "walking": len(ratios),
                "same_way": sum(float(row["angle_deg"]) <= SAME_WAY_DEG for row in of_arm if row["angle_deg"]),
-               "speed_ratio": number(median(ratios)), "speed_difference": number(median([abs(ratio - 1.0) for ratio in ratios]))}
+               "speed_ratio": number(median(ratios)) if ratios else "",
+               "relative_speed_difference": number(median([abs(ratio - 1.0) for ratio in ratios])) if ratios else ""}
 
 
 WALKS = ["arm", "seed", "rank", "individual", "friction", "body_lengths"]
@@ -425,22 +432,20 @@ def main(arguments):
                 write_table(HERE / "cost.csv", ["what", "value"], cost_rows(pathlib.Path(results)))
             case ["champions", results, arm, seed] if arm in ARMS:
                 print(*(one[2] for one in drawn_champions(list(champions_of(pathlib.Path(results), arm, seed)))))
-            case ["best", results, arm, seed] if arm in ARMS:
-                best = best_of(judged_robots(pathlib.Path(results), arm, seed))
-                if best and score(best):
-                    print(best[0]["individual"])
+            case ["winner", results, arm, seed] if arm in ON_ELEMENTS:
+                winner = winner_of(judged_robots(pathlib.Path(results), arm, seed))
+                if winner:
+                    print(winner[0]["individual"])
             case ["take", results, tables, arm, seed] if arm in ARMS:
                 results, tables = pathlib.Path(results), pathlib.Path(tables)
                 progress = list(progress_of(results, arm, seed))
                 outcome = outcome_of(results, arm, seed)
-                if arm not in OF_VOXELS:
+                if (results / f"{arm}_{seed}.layers.csv").exists():  # where the size asks for it
                     add_rows(tables / "layers.csv", LAYERS, arm, seed, list(layers_of(results, arm, seed)))
                 add_rows(tables / "progress.csv", PROGRESS, arm, seed, progress)
                 add_rows(tables / "walks.csv", WALKS, arm, seed, list(walks_of(results, arm, seed)))
                 # the last one: a search whose outcome is there is not run again
                 add_rows(tables / "outcomes.csv", OUTCOMES, arm, seed, [outcome])
-            case ["walks", results, tables, arm, seed] if arm in ARMS:
-                add_rows(pathlib.Path(tables) / "walks.csv", WALKS, arm, seed, list(walks_of(pathlib.Path(results), arm, seed)))
             case ["summary", tables]:
                 tables = pathlib.Path(tables)
                 outcomes = outcomes_by_arm(tables)

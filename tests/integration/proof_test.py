@@ -92,6 +92,14 @@ class Studies(unittest.TestCase):
         judge = tomllib.loads((EXPERIMENT / "fine.toml").read_text())
         self.assertEqual(judge["robust"], elements["robust"])
         self.assertEqual(judge["elements"], elements["elements"] | {"fidelity": "fine"})
+        layers = tomllib.loads((EXPERIMENT / "two_layers.toml").read_text())
+        for table in ("evaluation", "body", "time", "drive"):
+            self.assertEqual(layers[table], judge[table], table)
+        loss = {"loss_factor": judge["robust"]["loss_factors"][0], "loss_frequency_Hz": 30}  # the one that [robust] assumes
+        self.assertEqual(layers["material"], judge["material"] | loss)
+        self.assertIn(layers["ground"]["static_friction"], judge["robust"]["frictions"])
+        self.assertEqual(layers["ground"]["static_friction"], layers["ground"]["kinetic_friction"])
+        self.assertEqual(layers["elements"], {"kind": "three_field", "elements_through_wall": 2})
 
     def test_the_budget_is_counted_in_steps(self):
         size = proof.read_toml(EXPERIMENT / "size.toml")
@@ -136,7 +144,8 @@ class Searches(unittest.TestCase):
         columns = "rank individual design cells phenotype score_body_lengths friction dx_m dy_m body_lengths reason"
         self.put(f"{name}.fine.csv", columns, [[1, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"], [1, 9, "a", 20, "110", "", 0.8, 0.01, 0, 0.3, ""],
                                                [2, 5, "b", 19, "101", best, 0.4, 0, 0.03, best, ""], [2, 5, "b", 19, "101", best, 0.8, 0, 0.04, 0.5, ""]])
-        self.put(f"{name}.layers.csv", self.LAYERS, [[1, 5, 0.8, 0.04, 0.04, 0.25, ""]])
+        if arm in proof.ON_ELEMENTS:
+            self.put(f"{name}.layers.csv", self.LAYERS, [[1, 5, 0.8, 0.04, 0.04, 0.25, ""]])
         self.put(f"{name}.champions.csv", columns, [[1, 5, "b", 19, "101", 0.03, 0.4, 0, 0, 0.03, ""], [2, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"]])
 
     def test_a_finished_search_is_not_missing_any_more(self):
@@ -236,7 +245,7 @@ class Searches(unittest.TestCase):
 
     def test_the_best_robot_walks_on_two_layers(self):
         self.make("elements", 1, 0.07)
-        self.assertEqual(self.call("best", self.results, "elements", 1).stdout, "5\n")
+        self.assertEqual(self.call("winner", self.results, "elements", 1).stdout, "5\n")
         self.assertEqual(self.call("take", self.results, self.tables, "elements", 1).returncode, 0)
         row, = table_of(self.tables / "layers.csv")
         self.assertEqual((row["individual"], row["ratio"], row["angle_deg"]), ("5", "0.5", "45"))
@@ -249,7 +258,21 @@ class Searches(unittest.TestCase):
         self.assertEqual(self.call("summary", self.tables).returncode, 0)
         row, = table_of(self.tables / "layer_statistics.csv")
         self.assertEqual((row["winners"], row["walking"], row["same_way"]), ("3", "2", "1"), "one fell, one went the other way")
-        self.assertEqual((row["speed_ratio"], row["speed_difference"]), ("0.65", "0.35"))
+        self.assertEqual((row["speed_ratio"], row["relative_speed_difference"]), ("0.65", "0.35"))
+
+    def test_winners_that_all_fall_on_two_layers_are_counted(self):
+        self.make("both", 1, 0.07)
+        self.put("both_1.layers.csv", self.LAYERS, [[1, 5, 0.8, 0.01, 0.0, 0.1, "it fell"]])
+        self.assertEqual(self.call("take", self.results, self.tables, "both", 1).returncode, 0)
+        self.assertEqual(self.call("summary", self.tables).returncode, 0)
+        row, = table_of(self.tables / "layer_statistics.csv")
+        self.assertEqual((row["arm"], row["winners"], row["walking"], row["same_way"], row["speed_ratio"]), ("both", "1", "0", "0", ""))
+
+    def test_searches_on_voxels_have_no_winner_on_layers(self):
+        self.make("voxels", 1, 0.01)
+        self.assertEqual(self.call("take", self.results, self.tables, "voxels", 1).returncode, 0)
+        self.assertFalse((self.tables / "layers.csv").exists())
+        self.assertEqual(self.call("winner", self.results, "voxels", 1).returncode, 2)
 
     def test_a_walk_that_is_missing_is_named(self):
         self.make("elements", 1, 0.07)
@@ -263,10 +286,10 @@ class Searches(unittest.TestCase):
     def test_a_search_without_a_walker_has_none_to_try(self):
         self.make("elements", 1, 0)
         (self.results / "elements_1.layers.csv").unlink()
-        self.assertEqual(self.call("best", self.results, "elements", 1).stdout, "")
+        self.assertEqual(self.call("winner", self.results, "elements", 1).stdout, "")
         taken = self.call("take", self.results, self.tables, "elements", 1)
         self.assertEqual(taken.returncode, 0, taken.stderr)
-        self.assertEqual(table_of(self.tables / "layers.csv"), [])
+        self.assertFalse((self.tables / "layers.csv").exists())
 
     def test_wrong_input_is_named(self):
         for words in (("summary", self.tables), ("take", self.results, self.tables, "elements", 1), ("study", "lava", 1, "a", "b")):
