@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -186,29 +187,24 @@ meshes::CornerPoints current_corners(const meshes::HexahedralMesh& mesh, std::si
   return corners;
 }
 
-/// The hulls of the few elements that need one.
-class HullsAsNeeded {
+/// The hulls of those elements that were asked for; few are.
+class Hulls {
  public:
-  HullsAsNeeded(const meshes::HexahedralMesh& mesh, std::span<const double> displacements_m)
-      : mesh_(mesh), displacements_(displacements_m), places_(mesh.elements.size(), none) {}
+  Hulls(const meshes::HexahedralMesh& mesh, std::span<const double> displacements_m)
+      : mesh_(mesh), displacements_(displacements_m), of_element_(mesh.elements.size(), nullptr) {}
 
-  void need(const std::array<std::size_t, 2>& elements) {
-    for (const std::size_t element : elements) {
-      if (places_[element] != none) continue;
-      places_[element] = static_cast<std::uint32_t>(hulls_.size());
-      hulls_.push_back(hull_of(current_corners(mesh_, element, displacements_)));
-    }
+  /// Returns the hull of an element, which stays where it is.
+  const Hull& of(std::size_t element) {
+    const Hull*& hull = of_element_[element];
+    if (hull == nullptr) hull = &hulls_.emplace_back(hull_of(current_corners(mesh_, element, displacements_)));
+    return *hull;
   }
-  /// Returns the hull of an element that was needed.
-  [[nodiscard]] const Hull& of(std::size_t element) const { return hulls_[places_[element]]; }
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   const meshes::HexahedralMesh& mesh_;
   std::span<const double> displacements_;
-  std::vector<std::uint32_t> places_;
-  std::vector<Hull> hulls_;
+  std::deque<Hull> hulls_;
+  std::vector<const Hull*> of_element_;  ///< nullptr: not asked for yet
 };
 
 }  // namespace
@@ -237,11 +233,10 @@ std::optional<BodyOverlap> BodyOverlapSearch::find(std::span<const double> displ
   std::vector<Box> boxes(mesh_.elements.size());
   for (std::size_t e = 0; e < boxes.size(); ++e)
     for (const Point& corner : current_corners(mesh_, e, displacements_m)) boxes[e].add(corner);
-  HullsAsNeeded hulls(mesh_, displacements_m);
+  Hulls hulls(mesh_, displacements_m);
   BodyOverlap found;
   BoxBins(boxes).visit_pairs([&](std::size_t first, std::size_t second) {
     if (share_a_node(first, second)) return;
-    hulls.need({first, second});
     const Hull& a = hulls.of(first);
     const Hull& b = hulls.of(second);
     const double thinner = std::min(a.thickness, b.thickness);

@@ -105,15 +105,15 @@ class UnresolvedRelaxation : public io::InputError {
 ///
 /// Time advances in intervals of equal steps, at most `steps_per_bound`. The state is checked at the end of each interval:
 /// - The energy balance must close.
-/// - The stable step there must not be below the step that was taken. It is estimated anew after `steps_to_bound` steps, which
-/// may
-///   be several intervals.
+/// - The stable step there must not be below the step that was taken. It is estimated anew after
+///   `steps_to_bound` steps, which may be several intervals.
 /// - No part of the surface may have penetrated another one more deeply than contact detects with certainty.
 /// - No part of the surface near another one may have moved further in a step than contact detects with certainty.
 ///
 /// If a check fails, the interval is repeated from a copy of its start, with half as many steps of half the length. This goes on
-/// until the checks pass or the step falls below its smallest ratio. Intervals get longer where the stable step changes by at
-/// most 2 % in one interval, and shorter where it changes more.
+/// until the checks pass or the step falls below its smallest ratio. Estimates of the stable step get rarer where it
+/// changes from one to the next by at most a quarter of the distance that steps keep from it, 1 - `step_safety` (5 % by default),
+/// and more frequent where it changes more.
 ///
 /// The energy balance is taken at one time. The energy of modes whose period is only a few steps is known only roughly, to the
 /// square of step times frequency. A body that mostly moves in such modes gets shorter steps because of it.

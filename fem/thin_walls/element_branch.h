@@ -52,6 +52,7 @@ MENGER_HOST_DEVICE void store_numbers(const std::array<T, n>& values, NumberOf<T
 template <class T>
 using SymmetricTensor = std::array<T, 6>;
 
+/// Returns the matrix of cofactors, det(a) a^-1.
 template <class T>
 MENGER_HOST_DEVICE SymmetricTensor<T> cofactor(const SymmetricTensor<T>& a) {
   return {fms(a[1], a[2], a[3] * a[3]), fms(a[0], a[2], a[4] * a[4]), fms(a[0], a[1], a[5] * a[5]),
@@ -71,7 +72,8 @@ MENGER_HOST_DEVICE T contraction(const SymmetricTensor<T>& a, const SymmetricTen
   return fma(T(2.0), fma(a[3], b[3], fma(a[4], b[4], a[5] * b[5])), diagonal);
 }
 
-/// Returns by how much A : C - ln det A falls where A goes from `before` to `after`, in units of half the branch's modulus.
+/// Returns by how much A : C - ln det A falls where a branch's tensor A goes from `before` to `after` at fixed C = F^T F: its
+/// energy in units of half its modulus. Precondition: `before` and `after` are positive definite.
 ///
 /// With D = after - before and Z = before^-1 D this is (before^-1 - C) : D + (ln det(1 + Z) - tr Z). Near rest, where before is
 /// C^-1, both are of second order. Differences of A : C and of ln det A are of first order: they cancel, and what rounding leaves
@@ -80,16 +82,16 @@ template <class T>
 MENGER_HOST_DEVICE T energy_fall(const SymmetricTensor<T>& before, const SymmetricTensor<T>& after, const SymmetricTensor<T>& C) {
   const SymmetricTensor<T> change = difference(after, before);
   const SymmetricTensor<T> cofactors = cofactor(before);
-  const T by_determinant = T(1.0) / determinant(before, cofactors);
+  const T inverse_determinant = T(1.0) / determinant(before, cofactors);
   SymmetricTensor<T> inverse;
-  for (std::size_t i = 0; i < 6; ++i) inverse[i] = by_determinant * cofactors[i];
+  for (std::size_t i = 0; i < 6; ++i) inverse[i] = inverse_determinant * cofactors[i];
   const SymmetricTensor<T> changed_cofactors = cofactor(change);
   // invariants of Z: det(1 + Z) = 1 + trace + second + third; the trace of cofactor(D) D is 3 det D
   const T trace = contraction(inverse, change);
-  const T second = by_determinant * contraction(before, changed_cofactors);
-  const T third = by_determinant * T(1.0 / 3.0) * contraction(change, changed_cofactors);
-  const T beyond = second + third;
-  return contraction(difference(inverse, C), change) + (beyond - materials::log_remainder<T>(trace + beyond));
+  const T second = inverse_determinant * contraction(before, changed_cofactors);
+  const T third = inverse_determinant * T(1.0 / 3.0) * contraction(change, changed_cofactors);
+  const T higher = second + third;
+  return contraction(difference(inverse, C), change) + (higher - materials::log_remainder<T>(trace + higher));
 }
 
 /// Where the branch of a wall is at rest.

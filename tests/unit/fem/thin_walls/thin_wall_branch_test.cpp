@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "fem/thin_walls/element_branch.h"
 #include "tests/unit/fem/thin_walls/thin_wall_samples.h"
 
 namespace menger::fem {
@@ -127,6 +131,54 @@ TEST(ThinWallBranch, NearRestSinglePrecisionReleasesWhatDoublePrecisionDoes) {
         EXPECT_NEAR(patch.outcome.relaxed_J / exact.outcome.relaxed_J, 1.0, 2e-3) << name_of(element);
       }
     }
+  }
+}
+
+/// A : C - ln det A, of tensors as energy_fall takes them.
+long double branch_energy(const detail::SymmetricTensor<long double>& A, const detail::SymmetricTensor<long double>& C) {
+  const long double determinant =
+      A[0] * (A[1] * A[2] - A[3] * A[3]) - A[5] * (A[5] * A[2] - A[3] * A[4]) + A[4] * (A[5] * A[3] - A[1] * A[4]);
+  return A[0] * C[0] + A[1] * C[1] + A[2] * C[2] + 2.0L * (A[3] * C[3] + A[4] * C[4] + A[5] * C[5]) - std::log(determinant);
+}
+
+template <class To, class From>
+detail::SymmetricTensor<To> rounded(const detail::SymmetricTensor<From>& a) {
+  detail::SymmetricTensor<To> result;
+  for (std::size_t i = 0; i < 6; ++i) result[i] = static_cast<To>(a[i]);
+  return result;
+}
+
+/// Expects what falls on the way from one tensor to another, in numbers of one precision. Tensors are rounded to it first. What
+/// is left to round is the distance of the branch from rest, some 1, by as much as the number type does; it counts times the way.
+template <class Number>
+void expect_fall(const detail::SymmetricTensor<double>& before, const detail::SymmetricTensor<double>& after,
+                 const detail::SymmetricTensor<double>& C, double way) {
+  const auto from = rounded<Number>(before);
+  const auto to = rounded<Number>(after);
+  const auto metric = rounded<Number>(C);
+  const auto expected = static_cast<double>(branch_energy(rounded<long double>(from), rounded<long double>(metric)) -
+                                            branch_energy(rounded<long double>(to), rounded<long double>(metric)));
+  const double rounding = 10.0 * static_cast<double>(std::numeric_limits<Number>::epsilon());
+  EXPECT_NEAR(static_cast<double>(detail::energy_fall<Number>(from, to, metric)), expected,
+              rounding * (way + std::abs(expected)) + 1e-18)
+      << "way " << way << ", " << sizeof(Number) << " bytes";
+}
+
+TEST(ThinWallBranch, EnergyFallsByWhatIsLeftOfTheStrain) {
+  // inverse of each other
+  const detail::SymmetricTensor<double> C{1.25, 1.0, 1.0, 0.0, 0.0, 0.5};
+  const detail::SymmetricTensor<double> rest{1.0, 1.25, 1.0, 0.0, 0.0, -0.5};
+  const detail::SymmetricTensor<double> shape{0.3, -0.2, 0.25, 0.1, -0.15, 0.2};
+  for (const double way : {1e-6, 1e-4, 1e-2, 0.5}) {
+    detail::SymmetricTensor<double> before;
+    detail::SymmetricTensor<double> after;
+    for (std::size_t i = 0; i < 6; ++i) {
+      before[i] = rest[i] + way * shape[i];
+      after[i] = rest[i] + 0.4 * way * shape[i];
+    }
+    expect_fall<float>(before, after, C, way);
+    expect_fall<double>(before, after, C, way);
+    EXPECT_EQ(detail::energy_fall<float>(rounded<float>(before), rounded<float>(before), rounded<float>(C)), 0.0F);
   }
 }
 
