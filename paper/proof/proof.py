@@ -41,6 +41,7 @@ ON_ELEMENTS = tuple(arm for arm in ARMS if arm not in OF_VOXELS)
 COMPARISONS = ((("elements", "voxels"), ("both", "voxels"), ("both", "elements")),
                (("elements", "voxels_robust"), ("both", "voxels_robust"), ("voxels_robust", "voxels")))
 CORES = 2  # of which size.toml speaks
+LEAST_SEARCHES = 5  # of an arm that is compared: fewer say nothing
 RESAMPLES = 10000
 MOST_ARRANGEMENTS = 2_000_000  # that an exact rank-sum test counts; eleven seeds have 705432
 GRID = 60  # costs at which lines of progress are drawn
@@ -257,35 +258,37 @@ STATISTICS = ["arm", "than", "searches", "searches_than", "median_body_lengths",
 
 def holm(p_values):
     """The p of several tests at once by Holm's method: the least times their number, the next times one less, and so on, never
-    falling and at most 1. None stays None."""
+    falling and at most 1. None is a test that is planned and not made yet: it counts, as if it came out last, and stays None."""
     order = sorted((n for n, p in enumerate(p_values) if p is not None), key=lambda n: p_values[n])
     adjusted = [None] * len(p_values)
     largest = 0.0
     for place, n in enumerate(order):
-        largest = max(largest, min(1.0, (len(order) - place) * p_values[n]))
+        largest = max(largest, min(1.0, (len(p_values) - place) * p_values[n]))
         adjusted[n] = largest
     return adjusted
 
 
 def statistics_rows(outcomes):
-    """The comparisons of arms, corrected for those that were made at once: the planned ones, and those that were added."""
+    """The comparisons of arms of which there are searches enough, corrected for those that were planned at once: the first ones, and
+    those that were added later."""
     for pairs in COMPARISONS:
-        rows = list(compared_arms(outcomes, pairs))
-        for row, p in zip(rows, holm([row["rank_sum_p"] for row in rows])):
-            yield row | {"rank_sum_p": number(row["rank_sum_p"]), "holm_p": number(p)}
+        rows = [compared_arms(outcomes, arm, than) for arm, than in pairs]
+        for row, p in zip(rows, holm([row and row["rank_sum_p"] for row in rows])):
+            if row:
+                yield row | {"rank_sum_p": number(row["rank_sum_p"]), "holm_p": number(p)}
 
 
-def compared_arms(outcomes, pairs):
-    for arm, than in pairs:
-        a, b = outcomes[arm], outcomes[than]
-        if not a or not b:
-            continue
-        (low, high), (least, most) = (interval_of_two(a, b, statistic) for statistic in (difference_of_medians, superiority))
-        yield {"arm": arm, "than": than, "searches": len(a), "searches_than": len(b),
-               "median_body_lengths": number(median(a)), "median_than_body_lengths": number(median(b)),
-               "difference_body_lengths": number(difference_of_medians(a, b)), "difference_low": number(low),
-               "difference_high": number(high), "superiority": number(superiority(a, b)), "superiority_low": number(least),
-               "superiority_high": number(most), "rank_sum_p": rank_sum_p(a, b)}
+def compared_arms(outcomes, arm, than):
+    """The row of a comparison, with p as a number; None where an arm has too few searches."""
+    a, b = outcomes[arm], outcomes[than]
+    if min(len(a), len(b)) < LEAST_SEARCHES:
+        return None
+    (low, high), (least, most) = (interval_of_two(a, b, statistic) for statistic in (difference_of_medians, superiority))
+    return {"arm": arm, "than": than, "searches": len(a), "searches_than": len(b),
+            "median_body_lengths": number(median(a)), "median_than_body_lengths": number(median(b)),
+            "difference_body_lengths": number(difference_of_medians(a, b)), "difference_low": number(low),
+            "difference_high": number(high), "superiority": number(superiority(a, b)), "superiority_low": number(least),
+            "superiority_high": number(most), "rank_sum_p": rank_sum_p(a, b)}
 
 
 LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]

@@ -51,7 +51,8 @@ class Statistics(unittest.TestCase):
     def test_several_tests_by_holms_method(self):
         # Holm 1979, doi 10.2307/4615733: the least times 3, the next times 2, never falling
         self.assertEqual([round(p, 12) for p in proof.holm([0.01, 0.04, 0.03])], [0.03, 0.06, 0.06])
-        self.assertEqual(proof.holm([None, 0.4, 0.6]), [None, 0.8, 0.8])
+        self.assertEqual([p and round(p, 12) for p in proof.holm([None, 0.01, 0.04])], [None, 0.03, 0.08], "a test that is still to come counts")
+        self.assertEqual(proof.holm([0.5, 0.6]), [1.0, 1.0])
 
     def test_more_searches_than_an_exact_test_takes_are_refused(self):
         with self.assertRaises(proof.InputError):
@@ -231,6 +232,19 @@ class Searches(unittest.TestCase):
             self.assertIn(colour, picture)
         self.call("summary", self.tables)
         self.assertEqual((self.tables / "proof.svg").read_text(), picture, "the same searches give the same bytes")
+
+    def test_few_searches_are_not_compared(self):
+        for seed in range(1, 6):
+            for arm, best in (("voxels", 0.01 * seed), ("elements", 0.2 + 0.01 * seed)):
+                self.make(arm, seed, best)
+                self.assertEqual(self.call("take", self.results, self.tables, arm, seed).returncode, 0)
+        self.make("both", 1, 0.3)
+        self.assertEqual(self.call("take", self.results, self.tables, "both", 1).returncode, 0)
+        self.assertEqual(self.call("summary", self.tables).returncode, 0)
+        row, = table_of(self.tables / "statistics.csv")
+        self.assertEqual((row["arm"], row["than"]), ("elements", "voxels"))
+        self.assertAlmostEqual(float(row["holm_p"]), 3 * 2 / 252, 6, "corrected for the planned tests that are still to come")
+        self.assertIn(proof.STYLES["both"][0], (self.tables / "proof.svg").read_text(), "shown all the same")
 
     def test_searches_of_different_cost_are_not_compared(self):
         self.make("elements", 1, 0.07)
