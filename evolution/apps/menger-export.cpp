@@ -76,8 +76,9 @@ int export_archive(Arguments& arguments) {
   const RunArchive archive = RunArchive::open_to_read(arguments.archive);
   const Study study = archived_study(archive);
   for (const int level : arguments.options.levels) {
-    if (arguments.has_levels && uses_elements(study) && level != 1) {
-      throw io::InputError("--levels " + std::to_string(level) + ": the search has single modules on finite elements: must be 1");
+    if (arguments.has_levels && uses_elements(study) && level != study.search.levels().front()) {
+      throw io::InputError("--levels " + std::to_string(level) + ": the search was on finite elements: must be its level, " +
+                           std::to_string(study.search.levels().front()));
     }
   }
   std::unique_ptr<io::Progress> bar;

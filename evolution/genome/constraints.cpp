@@ -143,6 +143,8 @@ std::string_view to_string(Refusal refusal) {
   switch (refusal) {
     case Refusal::too_small:
       return "too small";
+    case Refusal::too_large:
+      return "too large";
     case Refusal::falls_apart:
       return "falls apart";
     case Refusal::weak_contact:
@@ -156,6 +158,7 @@ std::optional<Refusal> refusal(const Phenotype& phenotype, const ConstraintOptio
   const std::size_t cells = arranged ? aggregate_cell_count(phenotype, largest_arranged_level) : phenotype.body.count();
   const std::size_t smallest = arranged ? options.smallest_arranged_body : options.smallest_body;
   if (cells == 0 || cells < smallest) return Refusal::too_small;
+  if (!arranged && cells > options.largest_body) return Refusal::too_large;
   if (arranged && !aggregate_is_connected(phenotype, largest_arranged_level)) return Refusal::falls_apart;
   const bool must_hold = options.castable || options.disconnected == DisconnectedPolicy::reject;
   if (must_hold && falls_apart(phenotype, options)) return Refusal::falls_apart;

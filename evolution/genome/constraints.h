@@ -25,6 +25,7 @@ struct ConstraintOptions {
   std::vector<int> levels{1, 2, 3};  ///< levels at which the study evaluates a body, each >= 1
   /// Only bodies that can be cast are valid: in one piece, without cells that touch only along an edge or at a corner.
   bool castable = false;
+  std::size_t largest_body = 27;  ///< fractal plans: largest number of cells of the basal body
 
   bool operator==(const ConstraintOptions&) const = default;
 };
@@ -50,17 +51,19 @@ bool falls_apart(const Phenotype& phenotype, const ConstraintOptions& options);
 /// Why a design is not valid.
 enum class Refusal {
   too_small,    ///< fewer cells than the smallest body
+  too_large,    ///< more cells than the largest body
   falls_apart,  ///< in pieces at a level where it must be connected
   weak_contact  ///< two cells of the basal body touch only along an edge or at a corner: no casting
 };
-std::string_view to_string(Refusal refusal);  ///< "too small", "falls apart" or "weak contact"
+std::string_view to_string(Refusal refusal);  ///< "too small", "too large", "falls apart" or "weak contact"
 
 /// Returns the first reason why a design is not valid, or nothing if it is valid.
 ///
-/// The basal body of a fractal must have at least smallest_body cells. With arrangements, the level-3 body must have at least
-/// smallest_arranged_body cells and must be connected, whatever levels the study evaluates. With DisconnectedPolicy::reject, no
-/// aggregate at a level of the study may fall apart either. With `castable`, whatever the policy, the basal body must be one that
-/// meshes::check_design accepts for casting, and no aggregate at a level of the study may fall apart.
+/// The basal body of a fractal must have smallest_body to largest_body cells. With arrangements, the level-3 body must have at
+/// least smallest_arranged_body cells and must be connected, whatever levels the study evaluates. With
+/// DisconnectedPolicy::reject, no aggregate at a level of the study may fall apart either. With `castable`, whatever the policy,
+/// the basal body must be one that meshes::check_design accepts for casting, and no aggregate at a level of the study may fall
+/// apart.
 std::optional<Refusal> refusal(const Phenotype& phenotype, const ConstraintOptions& options);
 
 /// Returns whether a design is valid: it has no Refusal.

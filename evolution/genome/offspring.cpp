@@ -43,7 +43,8 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
   }
   throw io::InputError("the constraints of the study cannot be met: none of " + std::to_string(options.largest_draws) +
                        " random bodies was valid (" + refusals_text(refusals) +
-                       "; smallest_body_cells = " + std::to_string(options.constraints.smallest_body) + ", disconnected = \"" +
+                       "; smallest_body_cells = " + std::to_string(options.constraints.smallest_body) +
+                       ", largest_body_cells = " + std::to_string(options.constraints.largest_body) + ", disconnected = \"" +
                        std::string(to_string(options.constraints.disconnected)) +
                        "\", castable = " + (options.constraints.castable ? "true" : "false") + ")");
 }

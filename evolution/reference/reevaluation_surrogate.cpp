@@ -35,7 +35,7 @@ SurrogateWalk walk_on_elements(const ReevaluationStudy& study, const meshes::Pol
   search.duration_s = study.duration_s;
   search.measure_from_s = study.measure_from_s;
   const auto start = std::chrono::steady_clock::now();
-  const fem::WalkResult walked = fem::walk(walk_of(search, body), stop);
+  const fem::WalkResult walked = fem::walk(walk_of(search, body, study.level), stop);
   SurrogateWalk walk;
   for (const fem::WalkRecord& record : walked.records) walk.trajectory.push_back({record.time_s, record.centre_of_mass_m, {}});
   walk.result.status = walked.status;

@@ -193,10 +193,13 @@ class Exporter {
              scenario_text(scenarios_of(study_).at(decided.value_or(0))) + "; scenarios.csv has the others");
   }
 
+  /// Returns the level of the bodies of a search on finite elements, which have one.
+  [[nodiscard]] int level_on_elements() const { return study_.search.levels().front(); }
+
   /// Makes the walk of the champion on the finite elements of the search, and checks it.
   void make_walk() {
     fem::LocomotionStudy& walk = walk_;
-    static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body);
+    static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body, level_on_elements());
     walk.device = io::Device::cpu;  // a walk more does not ask for a graphics processor
     walk.design = design(1);
     walk.file = folder_ / "champion_walk.toml";
@@ -211,13 +214,14 @@ class Exporter {
   /// Writes that walk, and its study for menger locomote.
   void walk_champion() {
     const fem::LocomotionStudy& walk = walk_;
+    const int level = level_on_elements();
     io::remove_if_there(folder_ / "champion.png");  // of an export of another search
     io::write_whole(walk.file, walk_text_);
     fem::LocomotionRunOptions run{.restart = true, .stop = options_.stop};
     if (options_.progress)
-      run.progress = [&](double time_s) { options_.progress(1, {.time_s = time_s, .duration_s = walk.duration_s}); };
-    const fem::LocomotionResult walked = fem::run_locomotion(walk, place_of(1), run);
-    LevelResult done{1, aggregate_cell_count(champion().phenotype, 1), {}};
+      run.progress = [&](double time_s) { options_.progress(level, {.time_s = time_s, .duration_s = walk.duration_s}); };
+    const fem::LocomotionResult walked = fem::run_locomotion(walk, place_of(level), run);
+    LevelResult done{level, aggregate_cell_count(champion().phenotype, level), {}};
     done.scene.status = walked.status;
     done.scene.reason = walked.reason;
     if (const auto travel = fem::travel_of(walked)) done.scene.displacement_m = travel->displacement_m;
@@ -226,10 +230,10 @@ class Exporter {
     compare_with_archive(done);
     result_.levels.push_back(std::move(done));
     add_note_of_scenario();
-    add_note(
-        "the search has single modules on finite elements: only level 1 is written; menger reevaluate lets its robots walk on "
-        "finer elements, and menger locomote " +
-        walk.file.string() + " this one as you change its study");
+    add_note("the search was on finite elements: only level " + std::to_string(level) +
+             " is written; menger reevaluate lets its robots walk on "
+             "finer elements, and menger locomote " +
+             walk.file.string() + " this one as you change its study");
   }
 
   /// Returns the champion as a design: a fractal by its basal body, whatever the level; any other body by all its cells.

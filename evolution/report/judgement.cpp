@@ -4,6 +4,7 @@
 
 #include "evolution/report/study_view.h"
 #include "evolution/study/scenarios.h"
+#include "io/text/joined_text.h"
 #include "io/text/number_text.h"
 
 namespace menger::evolution {
@@ -24,7 +25,11 @@ std::vector<FitDesign> champions(const RunView& run) {
 
 std::string unusable_judge(const Study& search, const Study& judge) {
   if (!uses_elements(judge)) return "evaluation.model: must be \"finite_elements\"";
-  if (search.search.levels() != std::vector{1}) return "the robots of the archive are not single modules: its levels are not [1]";
+  if (judge.search.levels() != search.search.levels()) {
+    std::vector<std::string> levels;
+    for (const int level : search.search.levels()) levels.push_back(std::to_string(level));
+    return "body.levels: must be those of the archive, [" + io::joined(levels, ", ") + "]";
+  }
   if (search.search.cell_edge_m != judge.search.cell_edge_m) {
     return "body.cell_edge_m = " + io::number_text(judge.search.cell_edge_m) + ": the cells of the archive have " +
            io::number_text(search.search.cell_edge_m);
@@ -45,7 +50,7 @@ io::CsvTable judgement_table(const Study& judge, std::span<const FitDesign> robo
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(judge.search, robots[n].phenotype);
     const std::string design = design_hash(simulated, level);
-    const std::optional<KnownResults> results = made.in_scenarios(protocols, design);
+    const std::optional<KnownResults> results = made.in_scenarios(protocols, design, level);
     if (!results) continue;
     const KnownScore known = known_score(judge.search, *results);
     for (const auto& [stage, result] : *results) {

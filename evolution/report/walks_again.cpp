@@ -11,12 +11,6 @@
 
 namespace menger::evolution {
 
-namespace {
-
-constexpr int module_level = 1;  ///< of all bodies on finite elements
-
-}  // namespace
-
 std::vector<FitDesign> different_robots(const Study& study, const RunArchive& archive, std::size_t most) {
   const Distinction distinction = distinction_of(study);
   std::vector<FitDesign> robots;
@@ -45,13 +39,14 @@ MissingWalks missing_walks(std::span<const WalksAgain> asked, std::span<const Fi
   for (const WalksAgain& one : asked) {
     for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(one.study)) {
       const std::string protocol = scenario->physics();
+      const int level = one.study.search.levels().front();  // finite elements have one
       for (const FitDesign& robot : robots) {
         const Phenotype simulated = as_simulated(one.study.search, robot.phenotype);
-        const std::string design = design_hash(simulated, module_level);
-        if (made.in_scenarios({protocol}, design) || !asked_for.insert({design, protocol}).second) continue;
-        tasks.push_back({aggregate(simulated, module_level), module_level, evaluators.size()});
+        const std::string design = design_hash(simulated, level);
+        if (made.in_scenarios({protocol}, design, level) || !asked_for.insert({design, protocol}).second) continue;
+        tasks.push_back({aggregate(simulated, level), level, evaluators.size()});
         rows.push_back({.design_hash = design,
-                        .level = module_level,
+                        .level = level,
                         .protocol = protocol,
                         .variant = one.variant,
                         .duration_s = one.study.duration_s,
@@ -93,12 +88,13 @@ MadeWalks::MadeWalks(const RunArchive& archive) {
     if (one.has_result && one.result.status != io::RunStatus::stopped) walks_[{one.design_hash, one.protocol}] = one.result;
 }
 
-std::optional<KnownResults> MadeWalks::in_scenarios(const std::vector<std::string>& protocols, const std::string& design) const {
+std::optional<KnownResults> MadeWalks::in_scenarios(const std::vector<std::string>& protocols, const std::string& design,
+                                                    int level) const {
   KnownResults results;
   for (std::size_t scenario = 0; scenario < protocols.size(); ++scenario) {
     const auto found = walks_.find({design, protocols[scenario]});
     if (found == walks_.end()) return std::nullopt;
-    results[{module_level, scenario}] = found->second;
+    results[{level, scenario}] = found->second;
   }
   return results;
 }

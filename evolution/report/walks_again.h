@@ -53,8 +53,9 @@ class MadeWalks {
   [[nodiscard]] std::size_t count() const { return walks_.size(); }
 
   /// Returns the walks of a design in all scenarios; nothing if some are not there. @param protocols the physics of each
-  [[nodiscard]] std::optional<KnownResults> in_scenarios(const std::vector<std::string>& protocols,
-                                                         const std::string& design) const;
+  /// @param design its hash at that level
+  [[nodiscard]] std::optional<KnownResults> in_scenarios(const std::vector<std::string>& protocols, const std::string& design,
+                                                         int level) const;
 
  private:
   std::map<std::pair<std::string, std::string>, Evaluation> walks_;  ///< by design and protocol

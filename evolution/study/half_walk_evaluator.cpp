@@ -76,13 +76,11 @@ Study first_half_of(const Study& study) {
 HalfWalkEvaluator::HalfWalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused)
     : whole_(std::move(study)), half_(first_half_of(whole_)), paused_(std::move(paused)) {}
 
-Evaluation HalfWalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]] int level,
-                                       const std::atomic<bool>& stop) const {
-  assert(level == 1);
+Evaluation HalfWalkEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
   const auto start = std::chrono::steady_clock::now();
   Evaluation result = blank_result(whole_);
   try {
-    auto walk = std::make_unique<WalkInParts>(walk_of(whole_, body));
+    auto walk = std::make_unique<WalkInParts>(walk_of(whole_, module_of_aggregate(body, level), level));
     if (!walk->go_on_to(half_.duration_s, stop)) return result;
     take_result(half_, walk->result(), result);
     if (paused_) paused_->put(body, std::move(walk));

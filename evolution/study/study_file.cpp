@@ -90,6 +90,8 @@ void describe_body(io::StudyVisitor& visitor, bool is_calibrated, Study& study) 
   visitor.check(is_ascending, "levels", "must ascend");
   visitor.integer({"smallest_body_cells", "Least number of cells of a basal body."}, constraints.smallest_body,
                   io::within(1, basal_cell_count));
+  visitor.integer({"largest_body_cells", "Largest number of cells of a basal body."}, constraints.largest_body,
+                  io::within(1, basal_cell_count));
   visitor.integer(
       {"smallest_arranged_body_cells", "Least number of cells of a nonfractal body at level 3, or at level 2 with two scales."},
       constraints.smallest_arranged_body, io::within(1, 19683));
@@ -399,6 +401,11 @@ void check_whole(const io::TomlTable& table, const Study& study, std::size_t mem
     throw io::InputError(table.file().string() + ": time.measure_from_s = " + io::number_text(study.measure_from_s) +
                          ": must be less than duration_s = " + io::number_text(study.duration_s));
   }
+  const ConstraintOptions& constraints = plan.offspring.constraints;
+  if (constraints.largest_body < constraints.smallest_body) {
+    throw io::InputError(table.file().string() + ": body.largest_body_cells = " + std::to_string(constraints.largest_body) +
+                         ": must be at least smallest_body_cells = " + std::to_string(constraints.smallest_body));
+  }
   if (const int largest = largest_level(plan.offspring.decoder.plan); plan.levels().back() > largest) {
     throw fault("the highest level of a " + std::string(to_string(plan.offspring.decoder.plan)) + " body is " +
                 std::to_string(largest));
@@ -459,11 +466,27 @@ std::string unusable_screening(const Study& study) {
          io::toml_quoted(law) + make;
 }
 
+/// Returns why bodies of the levels of a study cannot walk on finite elements, or an empty text.
+std::string unusable_levels(const Study& study) {
+  const std::vector<int>& levels = study.search.levels();
+  if (levels == std::vector{1}) return "";
+  if (levels != std::vector{2}) return "body.levels: must be [1], single modules, or [2], aggregates of these";
+  const std::string given = "body.levels = [2]: ";
+  const BodyPlan plan = study.search.offspring.decoder.plan;
+  if (plan != BodyPlan::fractal && plan != BodyPlan::single_actuator)
+    return given + "genome.encoding = \"" + std::string(to_string(plan)) +
+           "\" needs voxels: all modules of an aggregate of silicone are alike";
+  if (study.model == EvaluationModel::both) return given + "evaluation.model = \"both\" needs [1], single modules";
+  if (study.device != io::Device::cpu)
+    return given + "evaluation.device = \"" + std::string(to_string(study.device)) + "\" needs [1], single modules";
+  return "";
+}
+
 /// Returns why a body of one cell cannot walk as a study says, or an empty text. What stands against it stands against all
 /// bodies.
 std::string refused_walk(const Study& study) {
   try {
-    fem::PreparedWalk walk{walk_of(study, meshes::Polycube::from_digits(1, 1, 1, "1"))};
+    fem::PreparedWalk walk{walk_of(study, meshes::Polycube::from_digits(1, 1, 1, "1"), study.search.levels().front())};
     fem::check(walk);
     fem::prepare(walk);
   } catch (const io::InputError& error) {
@@ -475,7 +498,7 @@ std::string refused_walk(const Study& study) {
 /// Returns why finite elements cannot evaluate the bodies of a study, or an empty text.
 std::string unusable_elements(const Study& study) {
   const SearchPlan& plan = study.search;
-  if (plan.levels() != std::vector{1}) return "body.levels: must be [1]: single modules";
+  if (std::string problem = unusable_levels(study); !problem.empty()) return problem;
   if (!plan.stand) return "evaluation.stand = false: must be true: finite elements put every body on the ground";
   if (!study.physics.floor) return "ground.present = false: must be true";
   if (std::string problem = unusable_screening(study); !problem.empty()) return problem;

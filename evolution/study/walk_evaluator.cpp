@@ -4,6 +4,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
+#include "meshes/design/fractal.h"
 #include "voxel/scene/physics_file.h"
 
 namespace menger::evolution {
@@ -94,6 +96,12 @@ void describe_moving(io::StudyVisitor& visitor, Study& study) {
 
 }  // namespace
 
+meshes::Polycube module_of_aggregate(const meshes::Polycube& aggregate, int level) {
+  const std::optional<meshes::Polycube> module = meshes::basal_body(aggregate, level);
+  assert(module && "not the fractal of a module");
+  return *module;
+}
+
 fem::SurrogateDrive pressure_drive(const Study& study) {
   const voxel::Actuation& drive = study.physics.actuation;
   return {.mode = drive_mode(drive.mode),
@@ -112,7 +120,7 @@ double record_interval_s(const Study& study) {
   return std::min(period_s / records, study.duration_s);
 }
 
-fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body) {
+fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body, int level) {
   const HollowModule module = module_of(study);
   const voxel::VoxelMaterial& ground = study.physics.materials[0];
   fem::WalkInput walk;
@@ -120,6 +128,7 @@ fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body) {
   walk.hollow.wall_thickness_m = module.wall_thickness_m;
   walk.hollow.elements_through_wall = study.silicone.elements_through_wall;
   walk.hollow.chambers = module.chambers;
+  walk.hollow.level = level;
   walk.elements = study.silicone.elements;
   walk.silicone = study.silicone.silicone;
   walk.stated_ground.friction = {.static_coefficient = ground.static_friction, .kinetic_coefficient = ground.kinetic_friction};
@@ -186,15 +195,13 @@ std::optional<std::string> refusal_of(const Evaluation& result) {
 WalkEvaluator::WalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused)
     : study_(std::move(study)), paused_(std::move(paused)) {}
 
-Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, [[maybe_unused]] int level,
-                                   const std::atomic<bool>& stop) const {
-  assert(level == 1);
+Evaluation WalkEvaluator::evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const {
   const auto start = std::chrono::steady_clock::now();
   Evaluation result = blank_result(study_);
   try {
     const std::unique_ptr<WalkInParts> begun = paused_ ? paused_->take(body) : nullptr;
     if (begun == nullptr) {
-      take_result(study_, fem::walk(walk_of(study_, body), &stop), result);
+      take_result(study_, fem::walk(walk_of(study_, module_of_aggregate(body, level), level), &stop), result);
     } else if (begun->go_on_to(study_.duration_s, stop)) {
       take_result(study_, begun->result(), result);
     }

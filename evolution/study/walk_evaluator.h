@@ -18,8 +18,12 @@ fem::SurrogateDrive pressure_drive(const Study& study);
 /// Positions between records are interpolated; the body is checked for passing through itself at every record.
 double record_interval_s(const Study& study);
 
-/// Returns the walk of a body of a study that finite elements evaluate. @param body one standing module
-fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body);
+/// Returns the module whose fractal an aggregate is. Precondition: it is one, of this level.
+meshes::Polycube module_of_aggregate(const meshes::Polycube& aggregate, int level);
+
+/// Returns the walk of a body of a study that finite elements evaluate. @param body one standing module @param level of the
+/// fractal of this module that walks; 1: the module
+fem::WalkInput walk_of(const Study& study, const meshes::Polycube& body, int level);
 
 /// Sets the displacements of a completed walk as a study measures them. A walk without as many whole periods as are measured
 /// becomes `diverged`, with a reason; one whose body has fallen (Study::largest_lean_deg) `fell`: all of its displacement is left
@@ -40,7 +44,8 @@ std::optional<std::string> refusal_of(const Evaluation& result);
 
 class PausedWalks;
 
-/// Evaluates single modules by walks on finite elements, in the process (see fem::walk).
+/// Evaluates single modules, or aggregates that are the fractals of a module, by walks on finite elements, in the process (see
+/// fem::walk). An aggregate has a chamber in every module.
 ///
 /// A body that finite elements refuse has the status `diverged` and the reason, as a body outside of a range of validity has: it
 /// has no displacement, and the search goes on without it. The result has the displacement in every whole period of the drive.
@@ -50,7 +55,7 @@ class WalkEvaluator final : public DesignEvaluator {
   /// @param paused walks that go on instead of beginning anew; may be null
   explicit WalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused = nullptr);
 
-  /// Precondition: level 1.
+  /// Precondition: the body is the fractal of a body at this level.
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::string physics() const override;
 

@@ -56,6 +56,28 @@ Polycube fractal(const Polycube& body, int level, std::size_t largest_grid_bytes
   return aggregate;
 }
 
+std::optional<Polycube> basal_body(const Polycube& aggregate, int level) {
+  const Sides all = sides(aggregate);
+  Sides own{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    own[i] = static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(all[i]), 1.0 / level)));
+    std::size_t power = 1;
+    for (int reached = 0; reached < level; ++reached) power = product(power, own[i]);
+    if (own[i] == 0 || power != all[i]) return std::nullopt;
+  }
+  const std::vector<CellIndex> occupied = aggregate.occupied();
+  if (occupied.empty()) return std::nullopt;
+  // Every smallest block that is not empty is a copy of the body.
+  Polycube body(static_cast<int>(own[0]), static_cast<int>(own[1]), static_cast<int>(own[2]));
+  const CellIndex& first = occupied.front();
+  const CellIndex corner{first.x / body.nx() * body.nx(), first.y / body.ny() * body.ny(), first.z / body.nz() * body.nz()};
+  for (int z = 0; z < body.nz(); ++z)
+    for (int y = 0; y < body.ny(); ++y)
+      for (int x = 0; x < body.nx(); ++x) body.set({x, y, z}, aggregate.at({corner.x + x, corner.y + y, corner.z + z}));
+  if (fractal(body, level) != aggregate) return std::nullopt;
+  return body;
+}
+
 double hausdorff_dimension(const Polycube& body) {
   if (body.nx() != body.ny() || body.nx() != body.nz()) throw std::invalid_argument("a Hausdorff dimension needs a cubic grid");
   if (body.nx() < 2) throw std::invalid_argument("a Hausdorff dimension needs at least 2 cells per side");

@@ -120,6 +120,33 @@ TEST_F(EvolveOnElements, TheChampionOfASearchIsExportedAndWalksOnFinerElements) 
   EXPECT_GT(table.number(0, "elements_count"), 0.0);
 }
 
+// Aggregates of at most four modules of at most four cells each.
+TEST_F(EvolveOnElements, AggregatesOfFewModulesAreEvolvedConfirmedAndExported) {
+  std::string text = tests::walking_study_text();
+  text.replace(text.find("levels = [1]"), 12, "levels = [2]\nlargest_body_cells = 4");
+  text.replace(text.find("generations = 2"), 15, "generations = 1");
+  io::write_whole(folder_ / "aggregates.toml", text);
+  ASSERT_EQ(run("evolve", {"aggregates.toml", "--threads", "2", "-o", "aggregates.sqlite"}).code, 0);
+  const Outcome confirmed = run("confirm", {"aggregates.sqlite", "aggregates.toml", "--top", "1", "-o", "confirmed.csv"});
+  ASSERT_EQ(confirmed.code, 0) << confirmed.err;
+  const io::CsvContents table = io::read_csv(folder_ / "confirmed.csv");
+  ASSERT_EQ(table.row_count(), 1U);
+  EXPECT_LE(table.number(0, "cells"), 4.0);
+  EXPECT_NEAR(table.number(0, "score_body_lengths"), table.number(0, "fitness_body_lengths"), 1e-12) << "the same walk again";
+  const Outcome modules = run("confirm", {"aggregates.sqlite", "study.toml", "--top", "1", "-o", "modules.csv"});
+  EXPECT_EQ(modules.code, 2);
+  EXPECT_NE(modules.err.find("body.levels: must be those of the archive, [2]"), std::string::npos) << modules.err;
+
+  const Outcome out = export_to("aggregates.sqlite", "aggregates");
+  ASSERT_EQ(out.code, 0) << out.err;
+  EXPECT_NE(out.out.find("only level 2 is written"), std::string::npos) << out.out;
+  EXPECT_EQ(out.out.find("differs from that in the archive"), std::string::npos) << out.out;
+  EXPECT_TRUE(fs::exists(folder_ / "aggregates/level_2/trajectory.csv"));
+  const Outcome walked = run("locomote", {"aggregates/champion_walk.toml", "-o", "walked", "--no-pictures", "--quiet"});
+  ASSERT_EQ(walked.code, 0) << walked.err;
+  EXPECT_EQ(io::read_whole(folder_ / "walked/trajectory.csv"), io::read_whole(folder_ / "aggregates/level_2/trajectory.csv"));
+}
+
 TEST_F(EvolveOnElements, IsTheSameForTwoThreadsAndAfterAKill) {
   const std::string longer = "0.2";  // s, so that a search takes a second or two
   ASSERT_EQ(run("evolve", {"study.toml", "--threads", "2", "-o", "two.sqlite", "--duration", longer}).code, 0);
@@ -552,7 +579,7 @@ TEST_F(EvolveOnElements, WrongInputIsFoundBeforeAnythingIsWritten) {
   };
   expect_refused(tests::walking_study_text("", "", "[elements]\nfidelity = \"rough\"\n"), "elements.fidelity");
   std::string levels = tests::walking_study_text();
-  levels.replace(levels.find("[1]"), 3, "[2]");
+  levels.replace(levels.find("[1]"), 3, "[3]");
   expect_refused(levels, "body.levels");
 }
 

@@ -110,6 +110,21 @@ TEST(Constraints, BodiesSmallerThanTheSmallestAreNotValid) {
       << "an empty body never is";
 }
 
+TEST(Constraints, BodiesLargerThanTheLargestAreNotValid) {
+  ConstraintOptions options;
+  options.levels = {1};
+  const std::size_t cells = bar_body.body.count();
+  options.largest_body = cells;
+  EXPECT_TRUE(is_valid(bar_body, options));
+  options.largest_body = cells - 1;
+  options.smallest_body = 1;
+  EXPECT_EQ(refusal(bar_body, options), Refusal::too_large);
+  EXPECT_EQ(to_string(Refusal::too_large), "too large");
+  const std::string bar = bar_body.body.digits();
+  EXPECT_TRUE(is_valid(phenotype_from_key(bar + "|" + bar + "|" + bar), options))
+      << "of a control, the basal body does not matter";
+}
+
 TEST(Constraints, DisconnectedPoliciesDiffer) {
   ConstraintOptions options;
   options.disconnected = DisconnectedPolicy::reject;

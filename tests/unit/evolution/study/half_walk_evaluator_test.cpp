@@ -80,11 +80,11 @@ TEST_F(HalfWalks, GoOnToTheSameResultAsWholeOnes) {
 
 TEST_F(HalfWalks, TheOldestOfTooManyIsDropped) {
   PausedWalks paused(1);
-  paused.put(small_hook(), std::make_unique<WalkInParts>(walk_of(study_, small_hook())));
-  paused.put(short_bar(), std::make_unique<WalkInParts>(walk_of(study_, short_bar())));
+  paused.put(small_hook(), std::make_unique<WalkInParts>(walk_of(study_, small_hook(), 1)));
+  paused.put(short_bar(), std::make_unique<WalkInParts>(walk_of(study_, short_bar(), 1)));
   EXPECT_FALSE(paused.take(small_hook()));
   EXPECT_TRUE(paused.take(short_bar()));
-  paused.put(small_hook(), std::make_unique<WalkInParts>(walk_of(study_, small_hook())));
+  paused.put(small_hook(), std::make_unique<WalkInParts>(walk_of(study_, small_hook(), 1)));
   EXPECT_TRUE(paused.take(small_hook())) << "what was taken needs no place";
 }
 

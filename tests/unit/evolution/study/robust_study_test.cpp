@@ -69,7 +69,7 @@ TEST_F(RobustStudy, EveryScenarioIsAPhysicsOfItsOwn) {
     const Scenario scenario = scenarios_of(study)[n];
     const Study one = in_scenario(study, scenario);
     EXPECT_EQ(WalkEvaluator(one).physics(), physics[n]);
-    const fem::WalkInput walk = walk_of(one, meshes::Polycube::from_digits(1, 1, 1, "1"));
+    const fem::WalkInput walk = walk_of(one, meshes::Polycube::from_digits(1, 1, 1, "1"), 1);
     EXPECT_EQ(walk.stated_ground.friction.static_coefficient, scenario.friction);
     EXPECT_EQ(walk.stated_ground.friction.kinetic_coefficient, scenario.friction);
     EXPECT_EQ(walk.silicone.loss_factor, scenario.loss_factor);

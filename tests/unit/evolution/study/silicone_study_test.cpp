@@ -152,7 +152,16 @@ TEST_F(SiliconeStudy, CommandLineOverridesTheFile) {
 
 TEST_F(SiliconeStudy, RefusesWhatFiniteElementsCannotDo) {
   expect_refused(changed("duration_s = 0.05", "duration_s = 3600"), "makes more than a million records");
-  expect_refused(changed("levels = [1]", "levels = [1, 2]"), "body.levels: must be [1]");
+  expect_refused(changed("levels = [1]", "levels = [1, 2]"), "body.levels: must be [1], single modules, or [2]");
+  expect_refused(changed("levels = [1]", "levels = [3]"), "body.levels: must be [1], single modules, or [2]");
+  expect_refused(changed("levels = [1]", "levels = [2]", walking_study_text("", "", "[genome]\nencoding = \"nonfractal\"\n")),
+                 "body.levels = [2]: genome.encoding = \"nonfractal\" needs voxels");
+  expect_refused(
+      changed("levels = [1]", "levels = [2]", changed("model = \"finite_elements\"", "model = \"both\"", with_parameters)),
+      "body.levels = [2]: evaluation.model = \"both\" needs [1]");
+  expect_refused(changed("levels = [1]", "levels = [2]", walking_study_text("device = \"cuda\"\n")),
+                 "body.levels = [2]: evaluation.device = \"cuda\" needs [1]");
+  expect_refused(changed("levels = [1]", "levels = [1]\nlargest_body_cells = 2"), "must be at least smallest_body_cells = 3");
   expect_refused(changed("stand = true", "stand = false"), "evaluation.stand = false: must be true");
   expect_refused(changed("wall_thickness_m = 0.002", "wall_thickness_m = 0.005"),
                  "wall_thickness_m = 0.005: must be less than half");

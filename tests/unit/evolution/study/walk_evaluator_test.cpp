@@ -14,6 +14,7 @@
 
 #include "evolution/evaluation/worker_pool.h"
 #include "fem/walk/walk.h"
+#include "meshes/design/fractal.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/walking_study.h"
 
@@ -38,7 +39,7 @@ TEST_F(WalkEvaluatorTest, GivesTheDisplacementOfTheWalk) {
   const Study study = read();
   const Evaluation result = WalkEvaluator(study).evaluate(hook(), 1, never);
   ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
-  const fem::WalkResult walk = fem::walk(walk_of(study, hook()));
+  const fem::WalkResult walk = fem::walk(walk_of(study, hook(), 1));
   EXPECT_EQ(*result.displacement_m, fem::travel_of(walk)->displacement_m);
   EXPECT_GT(std::hypot((*result.displacement_m)[0], (*result.displacement_m)[1]), 1e-6);
   EXPECT_FALSE(result.left_out_m);
@@ -47,6 +48,21 @@ TEST_F(WalkEvaluatorTest, GivesTheDisplacementOfTheWalk) {
   EXPECT_EQ(result.fidelity, "draft");
   EXPECT_EQ(result.period_displacements_m, fem::period_displacements_m(walk, 0.025));
   EXPECT_EQ(result.period_displacements_m.size(), 2U);
+}
+
+// Two modules of two cells each: the walk of `menger locomote` with design.level = 2.
+TEST_F(WalkEvaluatorTest, AggregatesWalkAsTheFractalsOfTheirModule) {
+  std::string text = tests::walking_study_text();
+  text.replace(text.find("levels = [1]"), 12, "levels = [2]");
+  const Study study = read(text);
+  const Evaluation result = WalkEvaluator(study).evaluate(meshes::fractal(bar(), 2), 2, never);
+  ASSERT_EQ(result.status, io::RunStatus::completed) << result.reason;
+  fem::WalkInput walk = walk_of(study, bar(), 1);
+  walk.hollow.level = 2;
+  const fem::WalkResult expected = fem::walk(walk);
+  EXPECT_EQ(*result.displacement_m, fem::travel_of(expected)->displacement_m);
+  EXPECT_EQ(result.elements, expected.elements);
+  EXPECT_GT(result.elements, WalkEvaluator(study).evaluate(bar(), 1, never).elements) << "more than one module";
 }
 
 TEST_F(WalkEvaluatorTest, IsPureAndTheSameInAnyNumberOfThreads) {
@@ -250,7 +266,7 @@ TEST_F(WalkEvaluatorTest, ABodyThatHasFallenHasNoDisplacement) {
 TEST_F(WalkEvaluatorTest, AHookKeepsItsPostureWhileItWalks) {
   Study study = read();
   study.duration_s = 0.15;
-  const fem::WalkResult walk = fem::walk(walk_of(study, hook()));
+  const fem::WalkResult walk = fem::walk(walk_of(study, hook(), 1));
   ASSERT_EQ(walk.records.front().upright, (fem::Point{0.0, 0.0, 1.0}));
   for (const fem::WalkRecord& record : walk.records) EXPECT_GT(record.upright[2], 0.8) << record.time_s;
   EXPECT_GT(fem::largest_lean(walk, 0.025).angle_deg, 0.0);
@@ -266,7 +282,7 @@ TEST_F(WalkEvaluatorTest, CostsGrowWithTheElements) {
   std::vector<std::pair<double, std::size_t>> found;
   for (const char* digits : {"110000000", "111000000", "111010000", "111010111", "111111111"}) {
     const meshes::Polycube body = meshes::Polycube::from_digits(3, 3, 1, digits);
-    fem::PreparedWalk walk{walk_of(study, body)};
+    fem::PreparedWalk walk{walk_of(study, body, 1)};
     fem::prepare(walk);
     found.emplace_back(draft.cost(body, 1), walk.mesh.elements.size());
     EXPECT_GT(fine.cost(body, 1), draft.cost(body, 1));

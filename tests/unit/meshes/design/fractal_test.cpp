@@ -47,6 +47,24 @@ void expect_definition(const Polycube& basal, int level) {
   }
 }
 
+TEST(Fractal, TheBasalBodyIsFoundAgain) {
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    const Polycube body = random_basal_body(seed);
+    for (int level = 1; level <= 3; ++level) EXPECT_EQ(basal_body(fractal(body, level), level), body);
+  }
+  const Polycube bar = Polycube::from_digits(2, 1, 1, "12");
+  EXPECT_EQ(basal_body(fractal(bar, 3), 3), bar);
+}
+
+TEST(Fractal, WhatIsNoFractalHasNoBasalBody) {
+  Polycube aggregate = fractal(random_basal_body(3), 2);
+  const CellIndex cell = aggregate.occupied().back();
+  aggregate.set(cell, aggregate.at(cell) == 1 ? Material{2} : Material{1});
+  EXPECT_EQ(basal_body(aggregate, 2), std::nullopt);
+  EXPECT_EQ(basal_body(Polycube(9, 9, 9), 2), std::nullopt) << "it is empty";
+  EXPECT_EQ(basal_body(Polycube::from_digits(3, 1, 1, "111"), 2), std::nullopt) << "3 is no square";
+}
+
 TEST(Fractal, LevelOneIsTheBodyItself) {
   const Polycube basal = random_basal_body(1);
   EXPECT_EQ(fractal(basal, 1), basal);
