@@ -15,7 +15,7 @@ namespace menger::evolution {
 std::vector<FitDesign> champions(const RunView& run);
 
 /// Returns why robots of a search cannot walk as another study says, or an empty text: their walks must be on finite elements,
-/// of single modules, with cells of the same size.
+/// of bodies of the same levels, with cells of the same size.
 std::string unusable_judge(const Study& search, const Study& judge);
 
 /// Makes a table with a row per robot and scenario, of the robots whose walks in all scenarios of a study the archive has. So

@@ -7,6 +7,7 @@ done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
 part_on_request short "75 min of two cores" "ten seeds of searches a tenth as long; tables in paper/proof/short"
+part_on_request modules "40 min of two cores" "three short searches of aggregates of up to five modules, on voxels and on elements; tables in paper/proof/modules"
 part_on_request trial "3 min" "three seeds of the smallest searches; results and tables in build/paper/proof/trial"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -14,21 +15,22 @@ proof() { "$study/proof.py" "$@"; }
 
 # A search of an arm, and what is wanted of it: arm, seed, size, folder of results, folder of tables.
 one_search() {
-  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions winner
+  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions winner judge
   say "proof: seed $seed, $arm"
   proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
+  for judge in fine elements two_layers; do proof judge $judge "$size" "$out/studies/$judge.toml"; done
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
-  menger confirm "$out/$name.sqlite" "$study/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
+  menger confirm "$out/$name.sqlite" "$out/studies/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
   menger export "$out/$name.sqlite" --output "$out/$name" --levels 1 --no-frames --no-pictures
   if [[ $arm = voxels* ]]; then
     champions=$(proof champions "$out" "$arm" "$seed")
     read -ra champions <<<"$champions"
     if [ ${#champions[@]} -gt 0 ]; then champions=(--individuals "${champions[@]}"); else champions=(--champions); fi  # none: an empty table
-    menger confirm "$out/$name.sqlite" "$study/elements.toml" "${champions[@]}" --output "$out/$name.champions.csv"
+    menger confirm "$out/$name.sqlite" "$out/studies/elements.toml" "${champions[@]}" --output "$out/$name.champions.csv"
   elif [ "$(proof number "$size" two_layers)" = True ]; then
     # With the search, not later: archives are not kept in git.
     winner=$(proof winner "$out" "$arm" "$seed")
-    [ -z "$winner" ] || menger confirm "$out/$name.sqlite" "$study/two_layers.toml" --individuals "$winner" --output "$out/$name.layers.csv"
+    [ -z "$winner" ] || menger confirm "$out/$name.sqlite" "$out/studies/two_layers.toml" --individuals "$winner" --output "$out/$name.layers.csv"
   fi
   proof take "$out" "$tables" "$arm" "$seed"
 }
@@ -37,7 +39,7 @@ one_search() {
 searches() {
   local seed=$1 size=$2 folder=$3 tables=$4 arm
   mkdir -p "$folder" "$tables"
-  for arm in $(proof missing "$tables" "$seed"); do one_search "$arm" "$seed" "$size" "$folder" "$tables"; done
+  for arm in $(proof missing "$tables" "$seed" "$size"); do one_search "$arm" "$seed" "$size" "$folder" "$tables"; done
   proof summary "$tables"
 }
 
@@ -70,6 +72,12 @@ cost() {
 short() {
   local seed
   for seed in 1 2 3 4 5 6 7 8 9 10; do searches $seed "$study/short_size.toml" "$results/short" "$study/short"; done
+}
+
+# Few and short ones, which are reported without a test: there are few such bodies.
+modules() {
+  local seed
+  for seed in 1 2 3; do searches $seed "$study/modules_size.toml" "$results/modules" "$study/modules"; done
 }
 
 trial() {

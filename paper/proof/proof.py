@@ -2,8 +2,9 @@
 """What the proof needs besides menger: studies with their seed and budget, the tables of finished searches, and what follows from them.
 
 proof.py study ARM SEED SIZE.toml OUT.toml    writes the study of a search, with the budget of SIZE.toml and cost.csv
+proof.py judge NAME SIZE.toml OUT.toml        writes a study that robots walk by after a search: fine, elements or two_layers
 proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
-proof.py missing TABLES SEED                  prints the arms of a seed that the tables lack
+proof.py missing TABLES SEED SIZE.toml        prints the arms of a seed, of those of SIZE.toml, that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
 proof.py winner RESULTS ARM SEED              prints the individual that counts of a search on finite elements; nothing if none walks
@@ -27,7 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "known_walks")]
 
 from chart_of_walks import HEIGHT, INK, WIDTH, Panel, words  # noqa: E402
-from small_tables import InputError, read_table, read_toml, write_table  # noqa: E402
+from small_tables import InputError, read_table, read_toml, write_table, write_whole  # noqa: E402
 from statistics_of_walks import angle_deg, median, quantile  # noqa: E402
 
 ARMS = ("voxels", "elements", "both", "voxels_robust")
@@ -35,6 +36,7 @@ NAMES = {"voxels": "voxels at one friction", "elements": "finite elements", "bot
          "voxels_robust": "voxels in three frictions"}
 SHORT_NAMES = {"voxels": "voxels", "elements": "elements", "both": "both", "voxels_robust": "voxels, 3"}
 STYLES = {"voxels": ("#D55E00", "triangle"), "elements": ("#0072B2", "circle"), "both": ("#009E73", "diamond"), "voxels_robust": ("#CC79A7", "square")}
+JUDGES = ("fine", "elements", "two_layers")  # studies that robots walk by after a search
 OF_VOXELS = ("voxels", "voxels_robust")  # arms whose scores are not those of finite elements
 ON_ELEMENTS = tuple(arm for arm in ARMS if arm not in OF_VOXELS)
 # Those that were planned before the searches, and those that were added when robots of voxels turned out to fail at other frictions.
@@ -68,9 +70,21 @@ def budget_element_steps(size):
     return size["minutes_of_two_cores"] * 60.0 * CORES / (1e-9 * costs()["nanoseconds_per_element_step"])
 
 
+def text_with_bodies(name, size):
+    """The text of a study with the bodies of a size: single modules, unless it has levels and largest_body_cells."""
+    text = (HERE / f"{name}.toml").read_text(encoding="utf-8")
+    if "levels" not in size:
+        return text
+    text, count = re.subn(r"^levels = \[1\]$", f"levels = {size['levels']}\nlargest_body_cells = {size['largest_body_cells']}", text,
+                          flags=re.MULTILINE)
+    if count != 1:
+        raise InputError(f"{HERE / name}.toml: has not one line with levels = [1]")
+    return text
+
+
 def study_text(arm, seed, size, folder):
     """The study of an arm with a seed and a budget, for a file in a folder."""
-    text = (HERE / f"{arm}.toml").read_text(encoding="utf-8")
+    text = text_with_bodies(arm, size)
     # Seeds of their own: with the same one, the first robots of two arms would be the same, and their outcomes would not be independent.
     values = {"seed": 1000 * ARMS.index(arm) + seed} | {key: size[key] for key in ("generations", "survivors", "mutants") if key in size}
     for key, new in values.items():
@@ -427,10 +441,12 @@ def main(arguments):
                 out.write_text(study_text(arm, int(seed), read_toml(size), out.parent), encoding="utf-8")
             case ["number", size, key]:
                 print(read_toml(size)[key])
-            case ["missing", tables, seed]:
+            case ["judge", name, size, out] if name in JUDGES:
+                write_whole(pathlib.Path(out), text_with_bodies(name, read_toml(size)))
+            case ["missing", tables, seed, size]:
                 file = pathlib.Path(tables) / "outcomes.csv"
                 rows = read_table(file) if file.exists() else []
-                print(*(arm for arm in ARMS if not any(is_of(row, arm, seed) for row in rows)))
+                print(*(arm for arm in read_toml(size).get("arms", ARMS) if not any(is_of(row, arm, seed) for row in rows)))
             case ["cost", results]:
                 write_table(HERE / "cost.csv", ["what", "value"], cost_rows(pathlib.Path(results)))
             case ["champions", results, arm, seed] if arm in ARMS:

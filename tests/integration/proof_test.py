@@ -102,6 +102,18 @@ class Studies(unittest.TestCase):
         self.assertEqual(layers["ground"]["static_friction"], layers["ground"]["kinetic_friction"])
         self.assertEqual(layers["elements"], {"kind": "three_field", "elements_through_wall": 2})
 
+    def test_aggregates_are_bounded_and_judged_as_such(self):
+        size = proof.read_toml(EXPERIMENT / "modules_size.toml")
+        for text in (proof.study_text("voxels", 1, size, EXPERIMENT), proof.study_text("elements", 1, size, EXPERIMENT),
+                     *(proof.text_with_bodies(judge, size) for judge in proof.JUDGES)):
+            body = tomllib.loads(text)["body"]
+            self.assertEqual((body["levels"], body["largest_body_cells"]), ([2], 5))
+        with tempfile.TemporaryDirectory() as tables:
+            asked = subprocess.run([sys.executable, str(EXPERIMENT / "proof.py"), "missing", tables, "1", str(EXPERIMENT / "modules_size.toml")],
+                                   capture_output=True, text=True, check=True)
+            self.assertEqual(asked.stdout.split(), ["voxels", "elements"])
+        self.assertEqual(proof.text_with_bodies("fine", proof.read_toml(EXPERIMENT / "size.toml")), (EXPERIMENT / "fine.toml").read_text())
+
     def test_the_budget_is_counted_in_steps(self):
         size = proof.read_toml(EXPERIMENT / "size.toml")
         costs = proof.costs()
@@ -150,12 +162,12 @@ class Searches(unittest.TestCase):
         self.put(f"{name}.champions.csv", columns, [[1, 5, "b", 19, "101", 0.03, 0.4, 0, 0, 0.03, ""], [2, 9, "a", 20, "110", "", 0.4, "", "", "", "it fell"]])
 
     def test_a_finished_search_is_not_missing_any_more(self):
-        self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), list(proof.ARMS))
+        self.assertEqual(self.call("missing", self.tables, 1, EXPERIMENT / "size.toml").stdout.split(), list(proof.ARMS))
         self.make("elements", 1, 0.07)
         taken = self.call("take", self.results, self.tables, "elements", 1)
         self.assertEqual(taken.returncode, 0, taken.stderr)
-        self.assertEqual(self.call("missing", self.tables, 1).stdout.split(), ["voxels", "both", "voxels_robust"])
-        self.assertEqual(self.call("missing", self.tables, 2).stdout.split(), list(proof.ARMS))
+        self.assertEqual(self.call("missing", self.tables, 1, EXPERIMENT / "size.toml").stdout.split(), ["voxels", "both", "voxels_robust"])
+        self.assertEqual(self.call("missing", self.tables, 2, EXPERIMENT / "size.toml").stdout.split(), list(proof.ARMS))
         row, = table_of(self.tables / "outcomes.csv")
         self.assertEqual(row["best_body_lengths"], "0.07")
         self.assertEqual(row["individual"], "5")
