@@ -21,7 +21,7 @@ one_search() {
   for judge in fine elements two_layers; do proof judge $judge "$size" "$out/studies/$judge.toml"; done
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
   menger confirm "$out/$name.sqlite" "$out/studies/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
-  menger export "$out/$name.sqlite" --output "$out/$name" --levels 1 --no-frames --no-pictures
+  menger export "$out/$name.sqlite" --output "$out/$name" --levels "$(proof level "$size")" --no-frames --no-pictures
   if [[ $arm = voxels* ]]; then
     champions=$(proof champions "$out" "$arm" "$seed")
     read -ra champions <<<"$champions"

@@ -4,6 +4,7 @@
 proof.py study ARM SEED SIZE.toml OUT.toml    writes the study of a search, with the budget of SIZE.toml and cost.csv
 proof.py judge NAME SIZE.toml OUT.toml        writes a study that robots walk by after a search: fine, elements or two_layers
 proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
+proof.py level SIZE.toml                      prints the level of its bodies
 proof.py missing TABLES SEED SIZE.toml        prints the arms of a seed, of those of SIZE.toml, that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
@@ -443,6 +444,8 @@ def main(arguments):
                 print(read_toml(size)[key])
             case ["judge", name, size, out] if name in JUDGES:
                 write_whole(pathlib.Path(out), text_with_bodies(name, read_toml(size)))
+            case ["level", size]:
+                print(*read_toml(size).get("levels", [1]))
             case ["missing", tables, seed, size]:
                 file = pathlib.Path(tables) / "outcomes.csv"
                 rows = read_table(file) if file.exists() else []

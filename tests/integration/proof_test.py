@@ -112,6 +112,10 @@ class Studies(unittest.TestCase):
             asked = subprocess.run([sys.executable, str(EXPERIMENT / "proof.py"), "missing", tables, "1", str(EXPERIMENT / "modules_size.toml")],
                                    capture_output=True, text=True, check=True)
             self.assertEqual(asked.stdout.split(), ["voxels", "elements"])
+            for name, level in (("modules_size", "2"), ("size", "1")):
+                asked = subprocess.run([sys.executable, str(EXPERIMENT / "proof.py"), "level", str(EXPERIMENT / f"{name}.toml")],
+                                       capture_output=True, text=True, check=True)
+                self.assertEqual(asked.stdout.strip(), level)
         self.assertEqual(proof.text_with_bodies("fine", proof.read_toml(EXPERIMENT / "size.toml")), (EXPERIMENT / "fine.toml").read_text())
 
     def test_the_budget_is_counted_in_steps(self):
