@@ -1,7 +1,7 @@
 # How far can a walk on finite elements be known, and how well do coarse elements and short walks rank robots?
 part searches "20 min" "three short searches on voxels and three on finite elements, and 20 robots of every rank of each on the coarsest"
 part walks "80 min of one core" "the robots that move, each with one thing changed"
-part two_layers "30 min of one core" "some of them with two elements through the wall, for 2 s"
+part two_layers "80 min of one core" "some of them with two elements through the wall, for 2 s"
 part tables "1 min" "the tables and the picture of all walks that there are"
 
 # Which robots walk with two elements through the wall: every fourth.

@@ -2,7 +2,7 @@
 # A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "seed_$seed" "80 min of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements"
+  part_on_request "seed_$seed" "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements"
 done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"

@@ -438,8 +438,7 @@ def main(arguments):
         match arguments:
             case ["study", arm, seed, size, out] if arm in ARMS:
                 out = pathlib.Path(out).resolve()
-                out.parent.mkdir(parents=True, exist_ok=True)
-                out.write_text(study_text(arm, int(seed), read_toml(size), out.parent), encoding="utf-8")
+                write_whole(out, study_text(arm, int(seed), read_toml(size), out.parent))
             case ["number", size, key]:
                 print(read_toml(size)[key])
             case ["judge", name, size, out] if name in JUDGES:
