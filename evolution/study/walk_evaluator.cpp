@@ -98,7 +98,7 @@ void describe_moving(io::StudyVisitor& visitor, Study& study) {
 
 meshes::Polycube module_of_aggregate(const meshes::Polycube& aggregate, int level) {
   const std::optional<meshes::Polycube> module = meshes::basal_body(aggregate, level);
-  assert(module && "not the fractal of a module");
+  if (!module) throw io::InputError("the body is not the fractal of level " + std::to_string(level) + " of a module");
   return *module;
 }
 

@@ -18,7 +18,7 @@ fem::SurrogateDrive pressure_drive(const Study& study);
 /// Positions between records are interpolated; the body is checked for passing through itself at every record.
 double record_interval_s(const Study& study);
 
-/// Returns the module whose fractal an aggregate is. Precondition: it is one, of this level.
+/// Returns the module whose fractal of a level an aggregate is. @throws io::InputError if it is none
 meshes::Polycube module_of_aggregate(const meshes::Polycube& aggregate, int level);
 
 /// Returns the walk of a body of a study that finite elements evaluate. @param body one standing module @param level of the
@@ -55,7 +55,7 @@ class WalkEvaluator final : public DesignEvaluator {
   /// @param paused walks that go on instead of beginning anew; may be null
   explicit WalkEvaluator(Study study, std::shared_ptr<PausedWalks> paused = nullptr);
 
-  /// Precondition: the body is the fractal of a body at this level.
+  /// A body that is not the fractal of a module at this level is one that finite elements refuse.
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::string physics() const override;
 

@@ -65,6 +65,13 @@ TEST_F(WalkEvaluatorTest, AggregatesWalkAsTheFractalsOfTheirModule) {
   EXPECT_GT(result.elements, WalkEvaluator(study).evaluate(bar(), 1, never).elements) << "more than one module";
 }
 
+TEST_F(WalkEvaluatorTest, AggregatesOfDifferentModulesAreRefused) {
+  const Evaluation result = WalkEvaluator(read()).evaluate(meshes::Polycube::from_digits(4, 1, 1, "1112"), 2, never);
+  EXPECT_EQ(result.status, io::RunStatus::diverged);
+  ASSERT_TRUE(refusal_of(result));
+  EXPECT_EQ(*refusal_of(result), "the body is not the fractal of level 2 of a module");
+}
+
 TEST_F(WalkEvaluatorTest, IsPureAndTheSameInAnyNumberOfThreads) {
   const WalkEvaluator evaluator(read());
   const std::vector<EvaluationTask> tasks{{bar(), 1}, {hook(), 1}, {bar(), 1}, {hook(), 1}};
