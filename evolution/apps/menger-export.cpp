@@ -76,9 +76,9 @@ int export_archive(Arguments& arguments) {
   const RunArchive archive = RunArchive::open_to_read(arguments.archive);
   const Study study = archived_study(archive);
   for (const int level : arguments.options.levels) {
-    if (arguments.has_levels && uses_elements(study) && level != study.search.levels().front()) {
+    if (arguments.has_levels && uses_elements(study) && level != study.search.first_level()) {
       throw io::InputError("--levels " + std::to_string(level) + ": the search was on finite elements: must be its level, " +
-                           std::to_string(study.search.levels().front()));
+                           std::to_string(study.search.first_level()));
     }
   }
   std::unique_ptr<io::Progress> bar;

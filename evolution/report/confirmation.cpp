@@ -17,8 +17,6 @@ namespace menger::evolution {
 namespace {
 
 /// Returns the level of the bodies of a search on finite elements, which have one.
-int level_of(const SearchPlan& plan) { return plan.levels().front(); }
-
 std::unique_ptr<DesignEvaluator> evaluator_on(const Study& study, fem::Fidelity fidelity) {
   Study finer = study;
   finer.silicone.elements.fidelity = fidelity;
@@ -44,7 +42,7 @@ double along(const SearchPlan& plan, const std::array<double, 3>& direction_m, c
   const double length_m = std::hypot(direction_m[0], direction_m[1]);
   if (length_m == 0.0) return 0.0;
   const double along_m = (direction_m[0] * moved_m[0] + direction_m[1] * moved_m[1]) / length_m;
-  return std::copysign(level_score(plan, {along_m, 0.0, 0.0}, level_of(plan)), along_m);
+  return std::copysign(level_score(plan, {along_m, 0.0, 0.0}, plan.first_level()), along_m);
 }
 
 /// Returns the displacement that counts of all scenarios (Confirmation::along). A scenario without a displacement in the search
@@ -57,7 +55,7 @@ std::optional<double> along_of_scenarios(const SearchPlan& plan, const KnownResu
     if (!result.displacement_m) {
       all.push_back(result.status == io::RunStatus::fell ? 0.0 : failed);
     } else if (before == search.end() || !before->second.displacement_m) {
-      all.push_back(level_score(plan, *result.displacement_m, level_of(plan)));
+      all.push_back(level_score(plan, *result.displacement_m, plan.first_level()));
     } else {
       all.push_back(along(plan, *before->second.displacement_m, *result.displacement_m));
     }
@@ -140,10 +138,10 @@ std::vector<Confirmation> confirmations(const Study& study, const RunArchive& ar
   const std::vector<FitDesign> robots = different_robots(study, archive, made.count());
   for (std::size_t n = 0; n < robots.size(); ++n) {
     const Phenotype simulated = as_simulated(study.search, robots[n].phenotype);
-    const std::string design = design_hash(simulated, level_of(study.search));
+    const std::string design = design_hash(simulated, study.search.first_level());
     std::vector<std::pair<fem::Fidelity, KnownResults>> walks;
     for (const auto& [fidelity, texts] : protocols)
-      if (auto results = made.in_scenarios(texts, design, level_of(study.search)))
+      if (auto results = made.in_scenarios(texts, design, study.search.first_level()))
         walks.emplace_back(fidelity, *std::move(results));
     // A robot that has walked on some of the elements only, as another study asked, is not confirmed.
     if (walks.size() < protocols.size()) continue;
@@ -229,7 +227,7 @@ io::CsvTable confirmation_table(const Study& study, const std::vector<Confirmati
     const Phenotype simulated = as_simulated(study.search, one.design.phenotype);
     std::optional<double> ratio;
     if (one.score && one.design.fitness > 0.0) ratio = *one.score / one.design.fitness;
-    table.add_row(std::uint64_t{one.rank}, one.design.individual, design_hash(simulated, level_of(study.search)),
+    table.add_row(std::uint64_t{one.rank}, one.design.individual, design_hash(simulated, study.search.first_level()),
                   std::uint64_t{simulated.body.count()}, one.design.fitness, to_string(one.fidelity), one.score, ratio,
                   one.angle_deg, one.along, one.reason);
   }

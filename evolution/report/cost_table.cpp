@@ -17,7 +17,7 @@ void add_screening(const RunView& run, int generation, GenerationCost& cost) {
   const bool by_halves = run.plan.screening->by == Screener::half_walks;
   const std::string whole_hash = run.physics_hashes().front();
   const std::string physics_hash = io::content_hash(run.screening_physics);
-  const int level = run.plan.levels().front();
+  const int level = run.plan.first_level();
   std::set<std::string> counted;
   for (const PoolMember& member : run.archive->pool(generation)) {
     const Phenotype phenotype = as_simulated(run.plan, run.archive->individual(member.id).phenotype);

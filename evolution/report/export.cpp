@@ -175,7 +175,7 @@ class Exporter {
 
   /// Returns the scenario that decided the champion's score, if one has.
   [[nodiscard]] std::optional<std::size_t> champion_scenario() const {
-    const int level = study_.search.levels().front();
+    const int level = study_.search.first_level();
     return shown_scenario(study_.search, level, archived_results(run_, simulated()));
   }
 
@@ -194,12 +194,11 @@ class Exporter {
   }
 
   /// Returns the level of the bodies of a search on finite elements, which have one.
-  [[nodiscard]] int level_on_elements() const { return study_.search.levels().front(); }
 
   /// Makes the walk of the champion on the finite elements of the search, and checks it.
   void make_walk() {
     fem::LocomotionStudy& walk = walk_;
-    static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body, level_on_elements());
+    static_cast<fem::WalkInput&>(walk) = walk_of(study_of_champion(), simulated().body, study_.search.first_level());
     walk.device = io::Device::cpu;  // a walk more does not ask for a graphics processor
     walk.design = design(1);
     walk.file = folder_ / "champion_walk.toml";
@@ -214,7 +213,7 @@ class Exporter {
   /// Writes that walk, and its study for menger locomote.
   void walk_champion() {
     const fem::LocomotionStudy& walk = walk_;
-    const int level = level_on_elements();
+    const int level = study_.search.first_level();
     io::remove_if_there(folder_ / "champion.png");  // of an export of another search
     io::write_whole(walk.file, walk_text_);
     fem::LocomotionRunOptions run{.restart = true, .stop = options_.stop};

@@ -52,7 +52,7 @@ KnownResults archived_results(const RunView& run, const Phenotype& simulated) {
 KnownResults archived_results_or_half(const RunView& run, const Phenotype& simulated) {
   KnownResults results = archived_results(run, simulated);
   if (!results.empty() || !run.plan.screening || run.plan.screening->by != Screener::half_walks) return results;
-  const int level = run.plan.levels().front();
+  const int level = run.plan.first_level();
   const auto half = run.archive->evaluation({design_hash(simulated, level), level, io::content_hash(run.screening_physics)});
   if (half) results.emplace(EvaluationStage{level, 0}, half->result);
   return results;

@@ -38,7 +38,7 @@ std::string unusable_judge(const Study& search, const Study& judge) {
 }
 
 io::CsvTable judgement_table(const Study& judge, std::span<const FitDesign> robots, const RunArchive& archive) {
-  const int level = judge.search.levels().front();
+  const int level = judge.search.first_level();
   const std::string unit(fitness_unit(judge.search.objective));
   io::CsvTable table({"rank", "individual", "generation", "design", "cells", "phenotype", "fitness_" + unit, "score_" + unit,
                       "scenario", "friction", "loss_factor", "status", "reason", "dx_m", "dy_m", "dz_m", "body_lengths"});

@@ -11,7 +11,7 @@
 namespace menger::evolution {
 
 io::CsvTable scenario_table(const RunView& run, const Study& study) {
-  const int level = run.plan.levels().front();
+  const int level = run.plan.first_level();
   io::CsvTable table({"individual", "fitness_" + std::string(fitness_unit(run.plan.objective)), "scenario", "friction",
                       "loss_factor", "decides", "status", "reason", "dx_m", "dy_m", "dz_m", "body_lengths", "steps"});
   std::vector<PoolMember> survivors = run.archive->survivors(run.archive->last_generation().value());

@@ -126,7 +126,7 @@ void Screening::learn(int generation) {
 
 bool Screening::evaluate(int generation, std::span<const Individual* const> born, const SearchOptions& options,
                          std::size_t* commits) {
-  const int level = plan_->levels().front();
+  const int level = plan_->first_level();
   std::set<EvaluationKey> asked;
   std::vector<EvaluationKey> missing;
   std::vector<EvaluationTask> tasks;
@@ -159,7 +159,7 @@ std::optional<ScreeningRound> Screening::screen(int generation, std::span<const 
     const auto [place, is_first] = designs.try_emplace(design);
     if (!is_first) continue;
     place->second.surrogate = archived_score(*plan_, *archive_, design, surrogate_hash_);
-    const auto known = archive_->evaluation({design, plan_->levels().front(), physics_hash_});
+    const auto known = archive_->evaluation({design, plan_->first_level(), physics_hash_});
     // A result of this generation comes from an interrupted run, and must not change what passes.
     const bool is_known = known && known->generation < generation;
     if (is_known) continue;

@@ -109,6 +109,8 @@ struct SearchPlan {
 
   [[nodiscard]] const std::vector<int>& levels() const { return offspring.constraints.levels; }  ///< ascending, none twice
 
+  [[nodiscard]] int first_level() const { return levels().front(); }  ///< the only one of a search on finite elements
+
   /// Returns the number of scenarios that do not count: the whole part of quantile times scenarios, but never all.
   [[nodiscard]] std::size_t left_out_scenarios() const;
 };

@@ -2,6 +2,7 @@
 part searches "20 min" "three short searches on voxels and three on finite elements, and 20 robots of every rank of each on the coarsest"
 part walks "80 min of one core" "the robots that move, each with one thing changed"
 part two_layers "80 min of one core" "some of them with two elements through the wall, for 2 s"
+part voxels "2 min" "the same robots on voxels"
 part tables "1 min" "the tables and the picture of all walks that there are"
 
 # Which robots walk with two elements through the wall: every fourth.
@@ -21,19 +22,23 @@ searches() {
       --output "$results/screened_$seed"
   done
   "$study/walks.py" choose "$results" "$study/robots.csv"
+  "$study/walks.py" screened "$results" "$study/screened.csv"
 }
 
 # One walk of a robot, of the name of the change.
 walk() {
   local file
   file=$("$study/walks.py" study "$1" "$2" "$results")
-  menger locomote "$file" --no-pictures --quiet --output "$results/$1/$2"
+  case $2 in
+    voxels*) menger simulate "$file" --no-pictures --output "$results/$1/$2" ;;
+    *) menger locomote "$file" --no-pictures --quiet --output "$results/$1/$2" ;;
+  esac
 }
 
 # Change by change, so that a table of fewer changes can be made before all are done.
 walks() {
   local robot change
-  for change in standard draft fine half_step stiff_ground friction pressure fine_same_ground; do
+  for change in standard draft fine half_step stiff_ground friction pressure together fine_same_ground; do
     for robot in $("$study/walks.py" names "$study/robots.csv"); do
       walk "$robot" $change
     done
@@ -45,6 +50,15 @@ two_layers() {
   local robot
   for robot in $("$study/walks.py" names "$study/robots.csv" | sed -n "1~${every_with_two_layers}p"); do
     walk "$robot" two_layers
+  done
+  tables
+}
+
+voxels() {
+  local robot
+  for robot in $("$study/walks.py" names "$study/robots.csv"); do
+    walk "$robot" voxels
+    walk "$robot" voxels_without_drag
   done
   tables
 }

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""known_walks.py [FOLDER]: how far walks are known, from walks.csv and robots.csv of the folder (default: that of this script).
+"""known_walks.py [FOLDER]: how far walks are known, from walks.csv, robots.csv and screened.csv of the folder (default: that of this
+script).
 
-Writes progress.csv, floor.csv, changes.csv, agreement.csv, symmetry.csv, measures.csv, durations.csv and known_walks.svg there. The same
-walks give the same bytes.
+Writes progress.csv, floor.csv, changes.csv, agreement.csv, voxels.csv, symmetry.csv, measures.csv, durations.csv, halves.csv and known_walks.svg
+there. The same walks give the same bytes.
 
 A displacement is that of the centre of mass in the plane, from the end of the first period of the drive, in which the pressure grows, to
 the end of the walk. Exit codes: 0 done, 2 wrong input.
@@ -21,10 +22,13 @@ from small_tables import InputError, write_table
 from statistics_of_walks import angle_deg, interval, median, quantile, share_interval, spearman
 
 PERIODS = 15
+HALF = PERIODS // 2
 TWO_LAYERS_PERIODS = 6
 SMALL = ("half_step", "stiff_ground", "friction", "pressure")  # changes that nobody could tell from the walk as it was asked for
 CEILING = ("half_step", "stiff_ground", "friction")
-SHOWN = (*SMALL, "draft", "fine", "fine_same_ground", "double", "two_layers")
+TOGETHER = "together"  # those of CEILING at once
+SHOWN = (*SMALL, TOGETHER, "draft", "fine", "fine_same_ground", "double", "two_layers", "voxels")
+VOXEL_SEARCHES = ("1", "2", "3")  # the others are on finite elements; see experiment.sh
 MOST_LOSS = 0.03
 ENOUGH = 20  # robots that walked on fine elements; with fewer, all are compared with standard elements
 FEWEST = 5  # robots with a change; with fewer it is left out, so that tables can be made before all walks are done
@@ -73,6 +77,20 @@ def read_mirrors(file):
             return {row["robot"]: mirrors_of(row["layers"]) for row in csv.DictReader(text)}
     except (OSError, KeyError, ValueError) as error:
         raise InputError(f"{file}: {error}") from error
+
+
+def read_screened(file):
+    """[(search, displacement on voxels, displacement on draft elements)] of the robots that completed both walks, m"""
+    robots = []
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            for row in csv.DictReader(text):
+                ways = [[row[f"{model}_d{axis}_um"] for axis in "xy"] for model in ("voxels", "draft")]
+                if all(value for way in ways for value in way):
+                    robots.append((row["search"], *(tuple(1e-6 * float(value) for value in way) for way in ways)))
+    except (OSError, KeyError, ValueError) as error:
+        raise InputError(f"{file}: {error}") from error
+    return robots
 
 
 def minus(a, b):
@@ -205,6 +223,7 @@ def floor_rows(all_walks):
         ["robots_beyond", len(all_walks.beyond)],
         ["robots_that_go_further_than_their_own_noise", len(known)],
         ["ceiling_spearman", number(ceiling, 4)],
+        ["ceiling_of_all_at_once", number(rank_correlation(all_walks.pairs(all_walks.beyond, TOGETHER)), 4)],
         ["ceiling_of_the_mean_walk", number(math.sqrt(ceiling) if ceiling else None, 4)],
     ]
 
@@ -240,9 +259,11 @@ def change_rows(all_walks):
 def agreement_rows(all_walks):
     limits = [max(least, all_walks.floor_m) for least in DISTANCES_M]
     with_fine = [("draft", "fine"), ("standard", "fine")] if all_walks.reference == "fine" else []
-    for change, other in (*with_fine, ("draft", "standard"), *((change, "standard") for change in all_walks.small)):
+    for change, other in (*with_fine, ("draft", "standard"), *((change, "standard") for change in (*all_walks.small, TOGETHER))):
         for limit in dict.fromkeys(limits):
             robots = [robot for robot in all_walks.beyond if all_walks.distance_m[robot] > limit]
+            if not all_walks.pairs(robots, change, other):
+                continue
             yield [change, other, "floor" if limit == all_walks.floor_m else f"{1e3 * limit:g} mm", number(limit),
                    *agreement_cells(all_walks.pairs(robots, change, other))]
     for change in ("draft", "standard", "fine"):
@@ -250,6 +271,30 @@ def agreement_rows(all_walks):
         if len(robots) < FEWEST:
             continue
         yield [change, "two_layers", "floor", number(all_walks.floor_m), *agreement_cells(all_walks.pairs(robots, change, "two_layers"))]
+
+
+def voxel_rows(all_walks, screened):
+    """What voxels tell of walks on finite elements: of robots of every rank, and of those that go further than the floor.
+
+    Directions are those of robots beyond the floor. Errors are relative to the displacement on finite elements."""
+    voxel_searches = [(way, voxels) for search, voxels, way in screened if search in VOXEL_SEARCHES]
+    element_searches = [(way, voxels) for search, voxels, way in screened if search not in VOXEL_SEARCHES]
+    groups = [
+        ("all of all searches", "draft", voxel_searches + element_searches),
+        ("all of searches on voxels", "draft", voxel_searches),
+        ("all of searches on finite elements", "draft", element_searches),
+        *(("beyond the floor", walk, all_walks.pairs(all_walks.beyond, "voxels", walk)) for walk in ("fine", "two_layers")),
+        ("beyond the floor, voxels without drag", "fine", all_walks.pairs(all_walks.beyond, "voxels_without_drag", "fine")),
+    ]
+    for name, walk, pairs in groups:
+        if len(pairs) < FEWEST:
+            continue
+        far = [pair for pair in pairs if math.hypot(*pair[0]) > all_walks.floor_m]
+        errors = [math.hypot(*minus(b, a)) / math.hypot(*a) for a, b in far]
+        cells = agreement_cells(pairs)
+        count, of = within_45_deg(far)
+        yield [name, walk, *cells[:4], count, of, number(count / of if of else None, 4),
+               *(number(bound, 4) for bound in share_interval(count, of)), number(median(errors) if errors else None, 4)]
 
 
 def measured(all_walks, change, measure):
@@ -309,6 +354,14 @@ def duration_rows(all_walks):
                    sum(angle is not None and angle <= 45.0 for angle in directions)]
 
 
+def half_rows(all_walks):
+    """How the first half of a walk ranks all robots, far or not, as the whole walk on the same elements does."""
+    for change in ("draft", "standard"):
+        ways = [[net(changes.get(change, []), periods) for periods in (HALF, PERIODS)] for changes in all_walks.walks.values()]
+        items = [tuple(math.hypot(*way) for way in both) for both in ways if None not in both]
+        yield [change, HALF, len(items), *(number(v, 4) for v in (spearman(items), *interval(items, spearman)))]
+
+
 def shortest_s(durations, change):
     """The shortest walk from which on no longer one loses more than 0.03 of the rank correlation of five seconds."""
     shortest = None
@@ -325,6 +378,7 @@ def main(words):
     try:
         all_walks = Walks(read_walks(folder / "walks.csv"))
         mirrors = read_mirrors(folder / "robots.csv")
+        screened = read_screened(folder / "screened.csv")
         if len(all_walks.noise_m) < 3:
             raise InputError(f"{folder / 'walks.csv'}: fewer than three robots have all walks")
     except InputError as error:
@@ -337,12 +391,14 @@ def main(words):
     write_table(folder / "changes.csv", ["change", "median_m", "ninth_decile_m", "median_share", "median_share_low", "median_share_high",
                                          "ninth_decile_share", *AGREEMENT], change_rows(all_walks))
     write_table(folder / "agreement.csv", ["walk", "with", "beyond", "beyond_m", *AGREEMENT], agreement_rows(all_walks))
+    write_table(folder / "voxels.csv", ["robots_of", "with", *AGREEMENT, "median_error_share"], voxel_rows(all_walks, screened))
     write_table(folder / "symmetry.csv", ["bodies", "walk", "with", "within_45_deg", "within_45_deg_or_mirrored", "of"],
                 symmetry_rows(all_walks, mirrors))
     write_table(folder / "measures.csv", ["measure", "robots", "small_changes", "low", "high", "gain", "gain_low", "gain_high",
                                           "reference", "reference_low", "reference_high", "draft_reference"], measure_rows(all_walks))
     write_table(folder / "durations.csv", ["walk", "periods", "duration_s", "robots", "spearman", "low", "high", "loss", "loss_low",
                                            "loss_high", "within_45_deg"], durations)
+    write_table(folder / "halves.csv", ["walk", "periods", "robots", "spearman", "low", "high"], half_rows(all_walks))
     (folder / "known_walks.svg").write_text(draw(all_walks, durations), encoding="utf-8")
     return 0
 

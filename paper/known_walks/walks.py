@@ -2,8 +2,9 @@
 """Which robots walk how in this experiment, and where they get.
 
 walks.py choose RESULTS ROBOTS.csv        chooses robots that move, of every rank, from the searches that were screened in RESULTS
+walks.py screened RESULTS SCREENED.csv    makes the table of all robots that were screened, with the walks of both models
 walks.py names ROBOTS.csv                 prints the names of the robots
-walks.py study ROBOT CHANGE RESULTS       writes RESULTS/ROBOT/CHANGE.toml, a study of menger locomote
+walks.py study ROBOT CHANGE RESULTS       writes RESULTS/ROBOT/CHANGE.toml, a study of menger locomote, or of menger simulate for voxels
 walks.py gather RESULTS WALKS.csv         makes the table of all walks that are in RESULTS: one row per robot and change
 
 CHANGE is one of those below. Exit codes: 0 done, 2 wrong input.
@@ -41,10 +42,21 @@ CHANGES = {
         "design.elements_through_wall": 2,
         "time.duration_s": TWO_LAYERS_S,
     },
+    # All that nobody could tell from the walk, but the pressure, at once.
+    "together": lambda ground_Pa_per_m: {
+        "dynamics.step_safety": 0.4,
+        "ground.stiffness_Pa_per_m": 2.0 * ground_Pa_per_m,
+        "ground.static_friction": 1.01,
+        "ground.kinetic_friction": 0.505,
+    },
     # The default stiffness of the ground follows from the shortest edge of an element, so that fine elements stand on harder ground.
     "fine_same_ground": lambda ground_Pa_per_m: {"elements.fidelity": "fine", "ground.stiffness_Pa_per_m": ground_Pa_per_m},
     "double": {"elements.precision": "double"},
+    "voxels": {},
+    "voxels_without_drag": {"damping.global": 0.0},
 }
+STUDIES = {"voxels": "voxels.toml", "voxels_without_drag": "voxels.toml"}  # all others: walk.toml
+RESULT_FILES = ("locomotion.toml", "result.toml")  # of menger locomote and menger simulate
 
 
 def toml_value(value):
@@ -120,11 +132,23 @@ def choose(results, table):
     write_table(table, ["robot", "search", "rank", "cells", "layers", "surrogate_dx_m", "surrogate_dy_m"], robots)
 
 
+def screened_robots(results, table):
+    rows = []
+    for folder in sorted(pathlib.Path(results).glob("screened_*")):
+        search = folder.name.removeprefix("screened_")
+        for row in sorted(screened(folder), key=lambda one: int(one["rank"])):
+            ways = [*row["surrogate_way_m"], *row["way_m"]]
+            rows.append([search, row["rank"], row["cells"], row["body"], *("" if way == "" else f"{1e6 * way:.1f}" for way in ways)])
+    write_table(table, ["search", "rank", "cells", "layers", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"], rows)
+
+
 def study_of(robot, change, results):
     found = [row for row in read_table(HERE / "robots.csv") if row["robot"] == robot]
     if len(found) != 1 or change not in CHANGES:
         raise InputError(f"there is no robot {robot} in robots.csv, or no change {change}")
-    study = read_toml(HERE / "walk.toml")
+    study = read_toml(HERE / STUDIES.get(change, "walk.toml"))
+    if "surrogate" in study:
+        study["surrogate"]["parameters"] = str((HERE / study["surrogate"]["parameters"]).resolve())
     study["design"].update(layers=layers_of(found[0]["layers"]), name=robot)
     values = CHANGES[change]
     if callable(values):
@@ -154,9 +178,10 @@ def gather(results, table):
     for robot in read_table(HERE / "robots.csv"):
         for change in CHANGES:
             folder = results / robot["robot"] / change
-            if not (folder / "locomotion.toml").exists():
+            files = [folder / name for name in RESULT_FILES if (folder / name).exists()]
+            if not files:
                 continue
-            result = read_toml(folder / "locomotion.toml")
+            result = read_toml(files[0])
             if result["status"] == "stopped":
                 continue
             points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xy"]
@@ -167,18 +192,20 @@ def gather(results, table):
                     places += [f"{1e6 * (here - start):.1f}" for here, start in zip(at(points, n * PERIOD_S), points[0][1:])]
                 else:
                     places += ["", ""]
-            rows.append([robot["robot"], change, result["status"], result["elements"], result["steps"], *places])
+            rows.append([robot["robot"], change, result["status"], result.get("elements", ""), result["steps"], *places])
     write_table(table, ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in periods for axis in "xy")], rows)
 
 
 def main(words):
-    forms = {"choose": 2, "names": 1, "study": 3, "gather": 2}
+    forms = {"choose": 2, "screened": 2, "names": 1, "study": 3, "gather": 2}
     if not words or forms.get(words[0]) != len(words) - 1:
         print(__doc__, file=sys.stderr)
         return 2
     try:
         if words[0] == "choose":
             choose(pathlib.Path(words[1]), pathlib.Path(words[2]))
+        elif words[0] == "screened":
+            screened_robots(pathlib.Path(words[1]), pathlib.Path(words[2]))
         elif words[0] == "names":
             print("\n".join(row["robot"] for row in read_table(words[1])))
         elif words[0] == "study":

@@ -306,6 +306,15 @@ def compared_arms(outcomes, arm, than):
             "superiority_high": number(most), "rank_sum_p": rank_sum_p(a, b)}
 
 
+def write_comparisons(file, outcomes):
+    """A table of the comparisons that there are; none where every arm has too few searches."""
+    rows = list(statistics_rows(outcomes))
+    if rows:
+        write_table(file, STATISTICS, rows)
+    else:
+        file.unlink(missing_ok=True)
+
+
 LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
 
 
@@ -470,12 +479,12 @@ def main(arguments):
             case ["summary", tables]:
                 tables = pathlib.Path(tables)
                 outcomes = outcomes_by_arm(tables)
-                write_table(tables / "statistics.csv", STATISTICS, statistics_rows(outcomes))
+                write_comparisons(tables / "statistics.csv", outcomes)
                 if (tables / "walks.csv").exists():
                     write_table(tables / "by_friction.csv", BY_FRICTION, by_friction_rows(read_table(tables / "walks.csv")))
                 if (tables / "layers.csv").exists():
                     write_table(tables / "layer_statistics.csv", LAYER_STATISTICS, layer_statistics_rows(read_table(tables / "layers.csv")))
-                write_table(tables / "first.csv", STATISTICS, statistics_rows(outcomes_by_arm(tables, "first_body_lengths")))
+                write_comparisons(tables / "first.csv", outcomes_by_arm(tables, "first_body_lengths"))
                 (tables / "proof.svg").write_text(draw(outcomes, read_table(tables / "progress.csv")), encoding="utf-8")
             case _:
                 raise InputError(f"wrong arguments\n\n{__doc__}")

@@ -91,6 +91,12 @@ class Analysis(unittest.TestCase):
         columns = ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in range(1, 16) for axis in "xy")]
         known_walks.write_table(self.folder / "walks.csv", columns, rows)
         known_walks.write_table(self.folder / "robots.csv", ["robot", "layers"], [[robot, "111,100,110"] for robot in robots])
+        self.write_screened([])
+
+    def write_screened(self, rows):
+        """rows: (search, place on voxels in mm, place on draft elements in mm)"""
+        columns = ["search", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"]
+        known_walks.write_table(self.folder / "screened.csv", columns, [[search, *(1e3 * mm for way in ways for mm in way)] for search, *ways in rows])
 
     def run_it(self):
         return known_walks.main([str(self.folder)])
@@ -202,6 +208,8 @@ class Analysis(unittest.TestCase):
         self.write(robots)
         self.run_it()
         self.assertAlmostEqual(self.value("floor.csv", "shortest_standard_s", "value"), 11 / 3, 3)
+        self.assertEqual(self.value("halves.csv", "standard", "spearman"), -1.0, "the first half goes the other way round")
+        self.assertEqual(self.value("halves.csv", "draft", "spearman"), 1.0)
 
     def test_a_duration_does_not_count_if_a_longer_one_ranks_worse(self):
         durations = [["fine", 0, time, 0, 0, 0, 0, loss] for time, loss in (("1", "0.2"), ("2", "0.01"), ("3", "0.05"), ("4", "0.03"), ("5", "0"))]
@@ -215,6 +223,31 @@ class Analysis(unittest.TestCase):
         self.write(robots)
         self.run_it()
         self.assertEqual(self.value("changes.csv", "two_layers", "median_m"), 0.0)
+
+    def test_voxels_are_compared_with_elements(self):
+        robots = self.robots()
+        for n in range(1, 9):  # in the reverse order, straight on where fine elements turn to the left
+            robots[f"r{n}"]["voxels"] = straight(0.001 * (9 - n))
+        self.write(robots)
+        self.write_screened([(str(1 + n // 10), (n, 0.0), (0.0 if n % 2 else 2.0 * n, 2.0 * n if n % 2 else 0.0)) for n in range(1, 60)])
+        self.run_it()
+        found = {(row["robots_of"], row["with"]): row for row in table_of(self.folder / "voxels.csv")}
+        alike = found["all of all searches", "draft"]
+        self.assertEqual((alike["robots"], alike["spearman"], alike["within_45_deg"], alike["of"]), ("59", "1", "29", "59"))
+        self.assertEqual(found["all of searches on voxels", "draft"]["robots"], "29")
+        self.assertEqual(found["all of searches on finite elements", "draft"]["robots"], "30")
+        reverse = found["beyond the floor", "fine"]
+        self.assertEqual((reverse["robots"], reverse["spearman"], reverse["within_45_deg"]), ("8", "-1", "0"))
+        self.assertAlmostEqual(float(alike["median_error_share"]), math.sqrt(5) / 2, 3)  # (n, 0) in place of (0, 2 n), of most
+
+    def test_what_all_changes_at_once_leave_is_a_ceiling(self):
+        robots = self.robots()
+        for n in range(1, 9):
+            robots[f"r{n}"]["together"] = straight(0.001 * (9 - n))
+        self.write(robots)
+        self.run_it()
+        self.assertEqual(self.value("floor.csv", "ceiling_of_all_at_once", "value"), -1.0)
+        self.assertAlmostEqual(self.value("floor.csv", "floor_m", "value"), 0.0001, 7, "they are no small change of their own")
 
     def test_same_walks_give_the_same_bytes_and_the_picture_is_xml(self):
         self.write(self.robots())
@@ -255,12 +288,19 @@ class Studies(unittest.TestCase):
             "stiff_ground": {("ground", "stiffness_Pa_per_m"): 8e7},
             "friction": {("ground", "static_friction"): 1.01, ("ground", "kinetic_friction"): 0.505},
             "pressure": {("drive", "pressure_Pa"): [0, 6060]},
+            "together": {("dynamics", "step_safety"): 0.4, ("ground", "stiffness_Pa_per_m"): 8e7,
+                         ("ground", "static_friction"): 1.01, ("ground", "kinetic_friction"): 0.505},
         }.items():
             expected = {name: dict(table) for name, table in asked.items()}
             for (table, key), value in places.items():
                 expected.setdefault(table, {})[key] = value
             self.assertEqual(self.study(change), expected, change)
         self.assertEqual(self.study("two_layers")["elements"], {"kind": "three_field"})
+        voxels = self.study("voxels")
+        self.assertTrue(pathlib.Path(voxels["surrogate"]["parameters"]).is_file())
+        for table in ("ground", "drive", "time"):
+            self.assertEqual(voxels[table], asked[table])
+        self.assertEqual(voxels["design"]["layers"], asked["design"]["layers"])
 
     def test_places_are_those_at_the_ends_of_periods(self):
         robot = self.folder / "results" / "stand18" / "standard"
@@ -273,6 +313,15 @@ class Studies(unittest.TestCase):
         row, = table_of(self.folder / "walks.csv")
         self.assertEqual((row["robot"], row["change"], row["elements"]), ("stand18", "standard", "7"))
         self.assertEqual([float(row[key]) for key in ("x_1_um", "y_1_um", "x_15_um", "y_15_um")], [1000.0, -2000.0, 15000.0, -30000.0])
+
+    def test_walks_on_voxels_are_gathered_too(self):
+        robot = self.folder / "results" / "stand18" / "voxels"
+        robot.mkdir(parents=True)
+        (robot / "result.toml").write_text('status = "diverged"\nvoxels = 7\nsteps = 9\n')
+        (robot / "trajectory.csv").write_text("time_s,centre_of_mass_x_m,centre_of_mass_y_m\n0,0,0\n")
+        self.command("gather", self.folder / "results", self.folder / "walks.csv")
+        row, = table_of(self.folder / "walks.csv")
+        self.assertEqual((row["change"], row["status"], row["elements"], row["x_1_um"]), ("voxels", "diverged", "", ""))
 
     def screen(self, search, robots):
         """robots: {(rank, layers): (dx in mm, status)}"""
@@ -296,6 +345,13 @@ class Studies(unittest.TestCase):
         self.assertEqual([row["robot"] for row in chosen], ["search_1_rank_03", "search_1_rank_09", "search_2_rank_02", *walks.SHIPPED])
         self.assertEqual((chosen[1]["layers"], chosen[1]["surrogate_dx_m"]), ("111", "2.0"))
 
+    def test_all_that_were_screened_are_in_a_table(self):
+        self.screen("2", {(9, "111"): (2.0, "completed"), (3, "110"): (0.0, "completed"), (2, "011"): (4.0, "diverged")})
+        self.command("screened", self.folder, self.folder / "screened.csv")
+        rows = table_of(self.folder / "screened.csv")
+        self.assertEqual([(row["search"], row["rank"], row["layers"]) for row in rows], [("2", "3", "110"), ("2", "9", "111")])
+        self.assertEqual((rows[1]["draft_dx_um"], rows[1]["voxels_dx_um"], rows[1]["draft_dy_um"]), ("2000.0", "2000000.0", "0.0"))  # as screen() writes them
+
     def test_unknown_ones_are_refused(self):
         for words in (["study", "stand18", "twice", "."], ["study", "nobody", "fine", "."], ["jump"]):
             self.assertEqual(subprocess.run([str(EXPERIMENT / "walks.py"), *words], capture_output=True, check=False).returncode, 2, words)
@@ -309,6 +365,7 @@ class Tree(unittest.TestCase):
         self.addCleanup(shutil.rmtree, folder)
         shutil.copy(EXPERIMENT / "walks.csv", folder)
         shutil.copy(EXPERIMENT / "robots.csv", folder)
+        shutil.copy(EXPERIMENT / "screened.csv", folder)
         self.assertEqual(known_walks.main([str(folder)]), 0)
         for file in sorted(folder.iterdir()):
             self.assertEqual(file.read_bytes(), (EXPERIMENT / file.name).read_bytes(), file.name)

@@ -297,6 +297,7 @@ class Searches(unittest.TestCase):
         self.assertEqual(self.call("summary", self.tables).returncode, 0)
         row, = table_of(self.tables / "layer_statistics.csv")
         self.assertEqual((row["arm"], row["winners"], row["walking"], row["same_way"], row["speed_ratio"]), ("both", "1", "0", "0", ""))
+        self.assertFalse((self.tables / "statistics.csv").exists(), "no table without a comparison")
 
     def test_searches_on_voxels_have_no_winner_on_layers(self):
         self.make("voxels", 1, 0.01)

@@ -28,7 +28,7 @@ STUDIES = {
                "paper/proof/two_layers.toml", "paper/proof/voxels.toml", "paper/proof/voxels_robust.toml", "paper/scale_invariance/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
                "paper/trade_off/evolve.toml", "paper/walkers/robust.toml", "paper/walkers/screened.toml",
                "paper/walkers/study.toml"],
-    "simulate": ["voxel/scenes/*.toml"],
+    "simulate": ["voxel/scenes/*.toml", "paper/known_walks/voxels.toml"],
     "inflate": ["fem/studies/cube.toml", "fem/studies/quadruped.toml", "fem/studies/reference_cube.toml",
                 "paper/pneumatics/module.toml"],
     "modes": ["fem/studies/*_modes.toml"],
