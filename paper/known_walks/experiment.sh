@@ -2,6 +2,7 @@
 part searches "20 min" "three short searches on voxels and three on finite elements, and 20 robots of every rank of each on the coarsest"
 part walks "80 min of one core" "the robots that move, each with one thing changed"
 part two_layers "80 min of one core" "some of them with two elements through the wall, for 2 s"
+part sensitivity "20 min of one core" "the same robots with large changes of pressure, ground and damping"
 part voxels "2 min" "the same robots on voxels"
 part tables "1 min" "the tables and the picture of all walks that there are"
 
@@ -54,6 +55,16 @@ two_layers() {
   tables
 }
 
+sensitivity() {
+  local robot change
+  for change in draft_0.9_pressure draft_0.75_pressure draft_0.1_ground draft_3_damping; do
+    for robot in $("$study/walks.py" names "$study/robots.csv"); do
+      walk "$robot" $change
+    done
+  done
+  tables
+}
+
 voxels() {
   local robot
   for robot in $("$study/walks.py" names "$study/robots.csv"); do
@@ -65,5 +76,6 @@ voxels() {
 
 tables() {
   "$study/walks.py" gather "$results" "$study/walks.csv"
+  "$study/walks.py" gaits "$results" "$study/gaits.csv"
   "$study/known_walks.py" "$study"
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""known_walks.py [FOLDER]: how far walks are known, from walks.csv, robots.csv and screened.csv of the folder (default: that of this
-script).
+"""known_walks.py [FOLDER]: how far walks are known, from walks.csv, robots.csv, screened.csv and gaits.csv of the folder (default:
+that of this script).
 
-Writes progress.csv, floor.csv, changes.csv, agreement.csv, voxels.csv, symmetry.csv, measures.csv, durations.csv, halves.csv and known_walks.svg
-there. The same walks give the same bytes.
+Writes progress.csv, floor.csv, changes.csv, agreement.csv, voxels.csv, gait_agreement.csv, sensitivity.csv, symmetry.csv, measures.csv, durations.csv, halves.csv and
+known_walks.svg there. The same walks give the same bytes.
 
 A displacement is that of the centre of mass in the plane, from the end of the first period of the drive, in which the pressure grows, to
 the end of the walk. Exit codes: 0 done, 2 wrong input.
@@ -22,6 +22,7 @@ from small_tables import InputError, write_table
 from statistics_of_walks import angle_deg, interval, median, quantile, share_interval, spearman
 
 PERIODS = 15
+LARGE = ("draft_0.9_pressure", "draft_0.75_pressure", "draft_3_damping", "draft_0.1_ground")  # changes of a walk on draft elements
 HALF = PERIODS // 2
 TWO_LAYERS_PERIODS = 6
 SMALL = ("half_step", "stiff_ground", "friction", "pressure")  # changes that nobody could tell from the walk as it was asked for
@@ -91,6 +92,18 @@ def read_screened(file):
     except (OSError, KeyError, ValueError) as error:
         raise InputError(f"{file}: {error}") from error
     return robots
+
+
+GAIT = {"rise": "how far the centre of mass rises and falls", "path": "its path within a period", "step": "its displacement in a period"}
+
+
+def read_gaits(file):
+    """{(robot, change): {name of GAIT: m}}"""
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            return {(row["robot"], row["change"]): {name: 1e-6 * float(row[f"{name}_um"]) for name in GAIT} for row in csv.DictReader(text)}
+    except (OSError, KeyError, ValueError) as error:
+        raise InputError(f"{file}: {error}") from error
 
 
 def minus(a, b):
@@ -199,7 +212,7 @@ AGREEMENT = ["robots", "spearman", "spearman_low", "spearman_high", "within_45_d
 
 
 def progress_rows(all_walks):
-    for change in dict.fromkeys(("draft", "standard", "fine", *SHOWN)):
+    for change in dict.fromkeys(("draft", "standard", "fine", *SHOWN, *LARGE)):
         ends = [changes[change] for changes in all_walks.walks.values() if change in changes]
         yield [change, len(ends), sum(not places for places in ends)]
 
@@ -297,6 +310,28 @@ def voxel_rows(all_walks, screened):
                *(number(bound, 4) for bound in share_interval(count, of)), number(median(errors) if errors else None, 4)]
 
 
+def sensitivity_rows(all_walks):
+    """What large changes of one thing do to a walk on draft elements, with the ratio of the displacements; and what voxels do."""
+    for change in (*LARGE, "voxels"):
+        pairs = all_walks.pairs(all_walks.beyond, change, "draft")
+        if len(pairs) < FEWEST:
+            continue
+        yield [change, *agreement_cells(pairs), number(median([b / a for a, b in lengths(pairs) if a > 0.0]), 4)]
+
+
+def gait_rows(all_walks, gaits):
+    """How voxels and draft elements move bodies within a period, compared with fine elements."""
+    for name, meaning in GAIT.items():
+        for change in ("draft", "voxels"):
+            keys = [((robot, "fine"), (robot, change)) for robot in all_walks.beyond]
+            values = [(gaits[fine][name], gaits[other][name]) for fine, other in keys if fine in gaits and other in gaits]
+            if len(values) < FEWEST:
+                continue
+            ratios = [b / a for a, b in values if a > 0.0]
+            yield [name, change, meaning, len(values), number(spearman(values), 4), *(number(v, 4) for v in interval(values, spearman)),
+                   number(median(ratios), 4), number(median([a for a, _ in values]))]
+
+
 def measured(all_walks, change, measure):
     """{robot: measure} of the robots beyond the floor that completed a walk."""
     return {robot: measure(all_walks.walks[robot][change]) for robot in all_walks.beyond
@@ -379,6 +414,7 @@ def main(words):
         all_walks = Walks(read_walks(folder / "walks.csv"))
         mirrors = read_mirrors(folder / "robots.csv")
         screened = read_screened(folder / "screened.csv")
+        gaits = read_gaits(folder / "gaits.csv")
         if len(all_walks.noise_m) < 3:
             raise InputError(f"{folder / 'walks.csv'}: fewer than three robots have all walks")
     except InputError as error:
@@ -392,6 +428,9 @@ def main(words):
                                          "ninth_decile_share", *AGREEMENT], change_rows(all_walks))
     write_table(folder / "agreement.csv", ["walk", "with", "beyond", "beyond_m", *AGREEMENT], agreement_rows(all_walks))
     write_table(folder / "voxels.csv", ["robots_of", "with", *AGREEMENT, "median_error_share"], voxel_rows(all_walks, screened))
+    write_table(folder / "sensitivity.csv", ["change", *AGREEMENT, "median_ratio"], sensitivity_rows(all_walks))
+    write_table(folder / "gait_agreement.csv", ["what", "walk", "meaning", "robots", "spearman", "low", "high", "median_ratio", "median_fine_m"],
+                gait_rows(all_walks, gaits))
     write_table(folder / "symmetry.csv", ["bodies", "walk", "with", "within_45_deg", "within_45_deg_or_mirrored", "of"],
                 symmetry_rows(all_walks, mirrors))
     write_table(folder / "measures.csv", ["measure", "robots", "small_changes", "low", "high", "gain", "gain_low", "gain_high",

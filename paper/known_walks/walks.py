@@ -6,6 +6,7 @@ walks.py screened RESULTS SCREENED.csv    makes the table of all robots that wer
 walks.py names ROBOTS.csv                 prints the names of the robots
 walks.py study ROBOT CHANGE RESULTS       writes RESULTS/ROBOT/CHANGE.toml, a study of menger locomote, or of menger simulate for voxels
 walks.py gather RESULTS WALKS.csv         makes the table of all walks that are in RESULTS: one row per robot and change
+walks.py gaits RESULTS GAITS.csv          makes the table of how bodies move within a period, on some elements and on voxels
 
 CHANGE is one of those below. Exit codes: 0 done, 2 wrong input.
 """
@@ -14,6 +15,7 @@ import copy
 import json
 import math
 import pathlib
+import statistics
 import sys
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
@@ -26,6 +28,8 @@ from small_tables import InputError, read_table, read_toml, write_table  # noqa:
 PERIOD_S = 1.0 / 3.0
 LEAST_M = 0.001  # a robot that gets no further in five seconds nearly stands still: nobody asks how well its walk is known
 SHIPPED = ("stand18", "uneven_quadruped")  # the others of meshes/designs are symmetric, or flat
+GAITS = ("fine", "draft", "voxels")
+FIRST_OF_GAIT = 5  # periods before it are left out: walks settle
 TWO_LAYERS_S = 2.0  # two elements through the wall cost minutes a second
 
 # What each change does to the study of a walk. A function, where the change follows from the walk on standard elements.
@@ -52,6 +56,11 @@ CHANGES = {
     # The default stiffness of the ground follows from the shortest edge of an element, so that fine elements stand on harder ground.
     "fine_same_ground": lambda ground_Pa_per_m: {"elements.fidelity": "fine", "ground.stiffness_Pa_per_m": ground_Pa_per_m},
     "double": {"elements.precision": "double"},
+    # Large ones, on the elements that are fastest: what a model would get wrong that knows these things badly.
+    "draft_0.9_pressure": {"elements.fidelity": "draft", "drive.pressure_Pa": [0, 5400]},
+    "draft_0.75_pressure": {"elements.fidelity": "draft", "drive.pressure_Pa": [0, 4500]},
+    "draft_0.1_ground": lambda ground_Pa_per_m: {"elements.fidelity": "draft", "ground.stiffness_Pa_per_m": 0.1 * ground_Pa_per_m},
+    "draft_3_damping": {"elements.fidelity": "draft", "material.loss_factor": 0.3, "material.loss_frequency_Hz": 30},
     "voxels": {},
     "voxels_without_drag": {"damping.global": 0.0},
 }
@@ -171,6 +180,31 @@ def at(points, time_s):
     raise InputError(f"no record at {time_s} s")
 
 
+def gait(points):
+    """Medians over the periods from the sixth on, m: how far the centre of mass rises and falls, the length of its path over the ground,
+    and how far apart that path's ends are."""
+    heights, paths, steps = [], [], []
+    for n in range(FIRST_OF_GAIT, round(points[-1][0] / PERIOD_S)):
+        own = [point for point in points if n * PERIOD_S - 1e-3 <= point[0] <= (n + 1) * PERIOD_S + 1e-3]
+        heights.append(max(point[3] for point in own) - min(point[3] for point in own))
+        paths.append(sum(math.dist(a[1:3], b[1:3]) for a, b in zip(own, own[1:])))
+        steps.append(math.dist(own[0][1:3], own[-1][1:3]))
+    return [statistics.median(values) for values in (heights, paths, steps)]
+
+
+def gaits(results, table):
+    rows = []
+    for robot in read_table(HERE / "robots.csv"):
+        for change in GAITS:
+            file = results / robot["robot"] / change / "trajectory.csv"
+            if not file.exists():
+                continue
+            points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xyz"] for row in read_table(file)]
+            if points[-1][0] > 5.0 - 0.01:
+                rows.append([robot["robot"], change, *(f"{1e6 * value:.1f}" for value in gait(points))])
+    write_table(table, ["robot", "change", "rise_um", "path_um", "step_um"], rows)
+
+
 def gather(results, table):
     """Places at the ends of the periods, from the start, in micrometres; a walk that failed has none."""
     periods = range(1, 16)
@@ -197,7 +231,7 @@ def gather(results, table):
 
 
 def main(words):
-    forms = {"choose": 2, "screened": 2, "names": 1, "study": 3, "gather": 2}
+    forms = {"choose": 2, "screened": 2, "gaits": 2, "names": 1, "study": 3, "gather": 2}
     if not words or forms.get(words[0]) != len(words) - 1:
         print(__doc__, file=sys.stderr)
         return 2
@@ -206,6 +240,8 @@ def main(words):
             choose(pathlib.Path(words[1]), pathlib.Path(words[2]))
         elif words[0] == "screened":
             screened_robots(pathlib.Path(words[1]), pathlib.Path(words[2]))
+        elif words[0] == "gaits":
+            gaits(pathlib.Path(words[1]), pathlib.Path(words[2]))
         elif words[0] == "names":
             print("\n".join(row["robot"] for row in read_table(words[1])))
         elif words[0] == "study":

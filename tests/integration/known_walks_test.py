@@ -92,6 +92,10 @@ class Analysis(unittest.TestCase):
         known_walks.write_table(self.folder / "walks.csv", columns, rows)
         known_walks.write_table(self.folder / "robots.csv", ["robot", "layers"], [[robot, "111,100,110"] for robot in robots])
         self.write_screened([])
+        self.write_gaits([])
+
+    def write_gaits(self, rows):
+        known_walks.write_table(self.folder / "gaits.csv", ["robot", "change", "rise_um", "path_um", "step_um"], rows)
 
     def write_screened(self, rows):
         """rows: (search, place on voxels in mm, place on draft elements in mm)"""
@@ -240,6 +244,23 @@ class Analysis(unittest.TestCase):
         self.assertEqual((reverse["robots"], reverse["spearman"], reverse["within_45_deg"]), ("8", "-1", "0"))
         self.assertAlmostEqual(float(alike["median_error_share"]), math.sqrt(5) / 2, 3)  # (n, 0) in place of (0, 2 n), of most
 
+    def test_gaits_are_compared_with_fine_elements(self):
+        self.write(self.robots())
+        self.write_gaits([row for n in range(1, 9) for row in ([f"r{n}", "fine", n, 10 * n, n], [f"r{n}", "voxels", 2 * n, 90 - 10 * n, 3 * n])])
+        self.run_it()
+        found = {row["what"]: row for row in table_of(self.folder / "gait_agreement.csv")}
+        self.assertEqual([(found[name]["spearman"], found[name]["robots"]) for name in ("rise", "path", "step")], [("1", "8"), ("-1", "8"), ("1", "8")])
+        self.assertEqual((found["rise"]["median_ratio"], found["step"]["median_ratio"]), ("2", "3"))
+
+    def test_large_changes_are_compared_with_draft_elements(self):
+        robots = self.robots()
+        for n in range(1, 9):  # draft ones go 9 - n mm in each period
+            robots[f"r{n}"]["draft_0.75_pressure"] = straight(0.0005 * (9 - n), math.pi)
+        self.write(robots)
+        self.run_it()
+        row, = table_of(self.folder / "sensitivity.csv")
+        self.assertEqual((row["change"], row["spearman"], row["within_45_deg"], row["median_ratio"]), ("draft_0.75_pressure", "1", "0", "0.5"))
+
     def test_what_all_changes_at_once_leave_is_a_ceiling(self):
         robots = self.robots()
         for n in range(1, 9):
@@ -290,6 +311,9 @@ class Studies(unittest.TestCase):
             "pressure": {("drive", "pressure_Pa"): [0, 6060]},
             "together": {("dynamics", "step_safety"): 0.4, ("ground", "stiffness_Pa_per_m"): 8e7,
                          ("ground", "static_friction"): 1.01, ("ground", "kinetic_friction"): 0.505},
+            "draft_0.75_pressure": {("elements", "fidelity"): "draft", ("drive", "pressure_Pa"): [0, 4500]},
+            "draft_0.1_ground": {("elements", "fidelity"): "draft", ("ground", "stiffness_Pa_per_m"): 4e6},
+            "draft_3_damping": {("elements", "fidelity"): "draft", ("material", "loss_factor"): 0.3, ("material", "loss_frequency_Hz"): 30},
         }.items():
             expected = {name: dict(table) for name, table in asked.items()}
             for (table, key), value in places.items():
@@ -322,6 +346,16 @@ class Studies(unittest.TestCase):
         self.command("gather", self.folder / "results", self.folder / "walks.csv")
         row, = table_of(self.folder / "walks.csv")
         self.assertEqual((row["change"], row["status"], row["elements"], row["x_1_um"]), ("voxels", "diverged", "", ""))
+
+    def test_gait_of_a_known_motion(self):
+        # the height follows a sine of 2 mm, the place goes 1 mm forth along x and 0.4 mm of it back in each period
+        points = []
+        for n in range(451):
+            phase = n / 30 % 1.0
+            x = 0.6 * (n // 30) + (2.0 * phase if phase <= 0.5 else 1.0 - 0.8 * (phase - 0.5))
+            points.append([n / 90, 1e-3 * x, 0.0, 1e-3 * math.sin(2.0 * math.pi * phase)])
+        for value, expected in zip(walks.gait(points), (2.0, 1.4, 0.6)):
+            self.assertAlmostEqual(1e3 * value, expected, delta=0.02)
 
     def screen(self, search, robots):
         """robots: {(rank, layers): (dx in mm, status)}"""
@@ -366,6 +400,7 @@ class Tree(unittest.TestCase):
         shutil.copy(EXPERIMENT / "walks.csv", folder)
         shutil.copy(EXPERIMENT / "robots.csv", folder)
         shutil.copy(EXPERIMENT / "screened.csv", folder)
+        shutil.copy(EXPERIMENT / "gaits.csv", folder)
         self.assertEqual(known_walks.main([str(folder)]), 0)
         for file in sorted(folder.iterdir()):
             self.assertEqual(file.read_bytes(), (EXPERIMENT / file.name).read_bytes(), file.name)
