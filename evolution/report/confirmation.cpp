@@ -16,7 +16,6 @@ namespace menger::evolution {
 
 namespace {
 
-/// Returns the level of the bodies of a search on finite elements, which have one.
 std::unique_ptr<DesignEvaluator> evaluator_on(const Study& study, fem::Fidelity fidelity) {
   Study finer = study;
   finer.silicone.elements.fidelity = fidelity;

@@ -193,8 +193,6 @@ class Exporter {
              scenario_text(scenarios_of(study_).at(decided.value_or(0))) + "; scenarios.csv has the others");
   }
 
-  /// Returns the level of the bodies of a search on finite elements, which have one.
-
   /// Makes the walk of the champion on the finite elements of the search, and checks it.
   void make_walk() {
     fem::LocomotionStudy& walk = walk_;

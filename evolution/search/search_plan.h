@@ -109,7 +109,8 @@ struct SearchPlan {
 
   [[nodiscard]] const std::vector<int>& levels() const { return offspring.constraints.levels; }  ///< ascending, none twice
 
-  [[nodiscard]] int first_level() const { return levels().front(); }  ///< the only one of a search on finite elements
+  /// The smallest level; the only one of a search on finite elements. There is at least one.
+  [[nodiscard]] int first_level() const { return levels().front(); }
 
   /// Returns the number of scenarios that do not count: the whole part of quantile times scenarios, but never all.
   [[nodiscard]] std::size_t left_out_scenarios() const;

@@ -2,14 +2,13 @@
 """known_walks.py [FOLDER]: how far walks are known, from walks.csv, robots.csv, screened.csv and gaits.csv of the folder (default:
 that of this script).
 
-Writes progress.csv, floor.csv, changes.csv, agreement.csv, voxels.csv, gait_agreement.csv, sensitivity.csv, symmetry.csv, measures.csv, durations.csv, halves.csv and
-known_walks.svg there. The same walks give the same bytes.
+Writes progress.csv, floor.csv, changes.csv, agreement.csv, voxels.csv, gait_agreement.csv, sensitivity.csv, symmetry.csv, measures.csv,
+durations.csv, halves.csv and known_walks.svg there. The same walks give the same bytes.
 
 A displacement is that of the centre of mass in the plane, from the end of the first period of the drive, in which the pressure grows, to
 the end of the walk. Exit codes: 0 done, 2 wrong input.
 """
 
-import csv
 import math
 import pathlib
 import sys
@@ -17,19 +16,19 @@ import sys
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
+from bodies import MIRRORS, mirrors_of
 from chart_of_walks import draw
-from small_tables import InputError, write_table
-from statistics_of_walks import angle_deg, interval, median, quantile, share_interval, spearman
+from small_tables import InputError, read_table, write_table
+from statistics_of_walks import AGREEMENT, agreement_cells, angle_deg, interval, median, quantile, rank_correlation, spearman, within_45_deg
+from voxel_walks import GAIT_AGREEMENT, LARGE, SENSITIVITY, VOXELS, gait_rows, read_gaits, read_screened, sensitivity_rows, voxel_rows
 
 PERIODS = 15
-LARGE = ("draft_0.9_pressure", "draft_0.75_pressure", "draft_3_damping", "draft_0.1_ground")  # changes of a walk on draft elements
 HALF = PERIODS // 2
 TWO_LAYERS_PERIODS = 6
 SMALL = ("half_step", "stiff_ground", "friction", "pressure")  # changes that nobody could tell from the walk as it was asked for
 CEILING = ("half_step", "stiff_ground", "friction")
 TOGETHER = "together"  # those of CEILING at once
-SHOWN = (*SMALL, TOGETHER, "draft", "fine", "fine_same_ground", "double", "two_layers", "voxels")
-VOXEL_SEARCHES = ("1", "2", "3")  # the others are on finite elements; see experiment.sh
+SHOWN = (*SMALL, TOGETHER, "draft", "fine", "fine_same_ground", "two_layers", "voxels")
 MOST_LOSS = 0.03
 ENOUGH = 20  # robots that walked on fine elements; with fewer, all are compared with standard elements
 FEWEST = 5  # robots with a change; with fewer it is left out, so that tables can be made before all walks are done
@@ -39,71 +38,18 @@ DISTANCES_M = (0.0, 0.001, 0.002, 0.005)
 def read_walks(file):
     """{robot: {change: places at the ends of the periods, m, or nothing for a walk that failed}}"""
     walks = {}
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            for row in csv.DictReader(text):
-                places = []
-                for n in range(1, PERIODS + 1):
-                    if row[f"x_{n}_um"]:
-                        places.append((1e-6 * float(row[f"x_{n}_um"]), 1e-6 * float(row[f"y_{n}_um"])))
-                walks.setdefault(row["robot"], {})[row["change"]] = places
-    except (OSError, KeyError, ValueError) as error:
-        raise InputError(f"{file}: {error}") from error
+    for row in read_table(file):
+        places = []
+        for n in range(1, PERIODS + 1):
+            if row[f"x_{n}_um"]:
+                places.append((1e-6 * float(row[f"x_{n}_um"]), 1e-6 * float(row[f"y_{n}_um"])))
+        walks.setdefault(row["robot"], {})[row["change"]] = places
     return walks
 
 
-# Mirrors of the plane that leave a square as it is: of a place in rows and columns, and of a displacement.
-MIRRORS = {
-    "x": (lambda rows: [row[::-1] for row in rows], lambda way: (-way[0], way[1])),
-    "y": (lambda rows: rows[::-1], lambda way: (way[0], -way[1])),
-    "diagonal": (lambda rows: list(map("".join, zip(*rows))), lambda way: (way[1], way[0])),
-    "other diagonal": (lambda rows: list(map("".join, zip(*[row[::-1] for row in rows[::-1]]))), lambda way: (-way[1], -way[0])),
-}
-
-
-def mirrors_of(layers):
-    """The names of the mirrors that a body is symmetric about, standing; its cells are driven alike, whatever their material."""
-    body = [["".join("0" if digit == "0" else "1" for digit in row) for row in layer.split(",")] for layer in layers.split("/")]
-    grown = [row for layer in body for row in layer]
-    ys = [n for n in range(len(body[0])) if any("1" in layer[n] for layer in body)]
-    xs = [n for n in range(len(grown[0])) if any(row[n] == "1" for row in grown)]
-    cut = [[row[min(xs) : max(xs) + 1] for row in layer[min(ys) : max(ys) + 1]] for layer in body]
-    return [name for name, (mirrored, _) in MIRRORS.items() if [mirrored(layer) for layer in cut] == cut]
-
-
-def read_mirrors(file):
-    """{robot: names of its mirrors}"""
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            return {row["robot"]: mirrors_of(row["layers"]) for row in csv.DictReader(text)}
-    except (OSError, KeyError, ValueError) as error:
-        raise InputError(f"{file}: {error}") from error
-
-
-def read_screened(file):
-    """[(search, displacement on voxels, displacement on draft elements)] of the robots that completed both walks, m"""
-    robots = []
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            for row in csv.DictReader(text):
-                ways = [[row[f"{model}_d{axis}_um"] for axis in "xy"] for model in ("voxels", "draft")]
-                if all(value for way in ways for value in way):
-                    robots.append((row["search"], *(tuple(1e-6 * float(value) for value in way) for way in ways)))
-    except (OSError, KeyError, ValueError) as error:
-        raise InputError(f"{file}: {error}") from error
-    return robots
-
-
-GAIT = {"rise": "how far the centre of mass rises and falls", "path": "its path within a period", "step": "its displacement in a period"}
-
-
-def read_gaits(file):
-    """{(robot, change): {name of GAIT: m}}"""
-    try:
-        with open(file, newline="", encoding="utf-8") as text:
-            return {(row["robot"], row["change"]): {name: 1e-6 * float(row[f"{name}_um"]) for name in GAIT} for row in csv.DictReader(text)}
-    except (OSError, KeyError, ValueError) as error:
-        raise InputError(f"{file}: {error}") from error
+def read_bodies(file):
+    """{robot: its body}"""
+    return {row["robot"]: row["layers"] for row in read_table(file)}
 
 
 def minus(a, b):
@@ -183,36 +129,13 @@ class Walks:
         return [pair for pair in found if pair is not None]
 
 
-def lengths(pairs):
-    return [(math.hypot(*a), math.hypot(*b)) for a, b in pairs]
-
-
-def rank_correlation(pairs):
-    return spearman(lengths(pairs))
-
-
 def difference(a, b):
     return None if a is None or b is None else a - b
 
 
-def within_45_deg(pairs):
-    angles = [angle for angle in (angle_deg(a, b) for a, b in pairs) if angle is not None]
-    return sum(angle <= 45.0 for angle in angles), len(angles)
-
-
-def agreement_cells(pairs):
-    """Rank correlation and agreement of directions of pairs, with intervals."""
-    count, of = within_45_deg(pairs)
-    low, high = interval(lengths(pairs), spearman) if len(pairs) > 3 else (None, None)
-    return [len(pairs), number(rank_correlation(pairs), 4), number(low, 4), number(high, 4), count, of,
-            number(count / of if of else None, 4), *(number(bound, 4) for bound in share_interval(count, of))]
-
-
-AGREEMENT = ["robots", "spearman", "spearman_low", "spearman_high", "within_45_deg", "of", "within_45_deg_share", "share_low", "share_high"]
-
-
 def progress_rows(all_walks):
-    for change in dict.fromkeys(("draft", "standard", "fine", *SHOWN, *LARGE)):
+    walked = (change for changes in all_walks.walks.values() for change in changes)
+    for change in dict.fromkeys(("draft", "standard", "fine", *SHOWN, *LARGE, *walked)):
         ends = [changes[change] for changes in all_walks.walks.values() if change in changes]
         yield [change, len(ends), sum(not places for places in ends)]
 
@@ -222,12 +145,12 @@ def floor_rows(all_walks):
     known = [robot for robot in all_walks.noise_m if all_walks.noise_m[robot] < all_walks.distance_m[robot]]
     rho = [rank_correlation(all_walks.pairs(all_walks.beyond, change)) for change in CEILING if change in all_walks.small]
     ceiling = sum(rho) / len(rho) if rho and None not in rho else None
-    failed = sum(len(places) == 0 for changes in all_walks.walks.values() for places in changes.values())
+    on_elements = [places for changes in all_walks.walks.values() for change, places in changes.items() if not change.startswith("voxels")]
     return [
         ["robots", len(all_walks.walks)],
         ["robots_of_all_walks", len(noise)],
-        ["walks", sum(len(changes) for changes in all_walks.walks.values())],
-        ["failed_walks", failed],
+        ["walks", len(on_elements)],
+        ["failed_walks", sum(not places for places in on_elements)],
         ["floor_m", number(all_walks.floor_m)],
         ["floor_low_m", number(interval(noise, median)[0])],
         ["floor_high_m", number(interval(noise, median)[1])],
@@ -284,52 +207,6 @@ def agreement_rows(all_walks):
         if len(robots) < FEWEST:
             continue
         yield [change, "two_layers", "floor", number(all_walks.floor_m), *agreement_cells(all_walks.pairs(robots, change, "two_layers"))]
-
-
-def voxel_rows(all_walks, screened):
-    """What voxels tell of walks on finite elements: of robots of every rank, and of those that go further than the floor.
-
-    Directions are those of robots beyond the floor. Errors are relative to the displacement on finite elements."""
-    voxel_searches = [(way, voxels) for search, voxels, way in screened if search in VOXEL_SEARCHES]
-    element_searches = [(way, voxels) for search, voxels, way in screened if search not in VOXEL_SEARCHES]
-    groups = [
-        ("all of all searches", "draft", voxel_searches + element_searches),
-        ("all of searches on voxels", "draft", voxel_searches),
-        ("all of searches on finite elements", "draft", element_searches),
-        *(("beyond the floor", walk, all_walks.pairs(all_walks.beyond, "voxels", walk)) for walk in ("fine", "two_layers")),
-        ("beyond the floor, voxels without drag", "fine", all_walks.pairs(all_walks.beyond, "voxels_without_drag", "fine")),
-    ]
-    for name, walk, pairs in groups:
-        if len(pairs) < FEWEST:
-            continue
-        far = [pair for pair in pairs if math.hypot(*pair[0]) > all_walks.floor_m]
-        errors = [math.hypot(*minus(b, a)) / math.hypot(*a) for a, b in far]
-        cells = agreement_cells(pairs)
-        count, of = within_45_deg(far)
-        yield [name, walk, *cells[:4], count, of, number(count / of if of else None, 4),
-               *(number(bound, 4) for bound in share_interval(count, of)), number(median(errors) if errors else None, 4)]
-
-
-def sensitivity_rows(all_walks):
-    """What large changes of one thing do to a walk on draft elements, with the ratio of the displacements; and what voxels do."""
-    for change in (*LARGE, "voxels"):
-        pairs = all_walks.pairs(all_walks.beyond, change, "draft")
-        if len(pairs) < FEWEST:
-            continue
-        yield [change, *agreement_cells(pairs), number(median([b / a for a, b in lengths(pairs) if a > 0.0]), 4)]
-
-
-def gait_rows(all_walks, gaits):
-    """How voxels and draft elements move bodies within a period, compared with fine elements."""
-    for name, meaning in GAIT.items():
-        for change in ("draft", "voxels"):
-            keys = [((robot, "fine"), (robot, change)) for robot in all_walks.beyond]
-            values = [(gaits[fine][name], gaits[other][name]) for fine, other in keys if fine in gaits and other in gaits]
-            if len(values) < FEWEST:
-                continue
-            ratios = [b / a for a, b in values if a > 0.0]
-            yield [name, change, meaning, len(values), number(spearman(values), 4), *(number(v, 4) for v in interval(values, spearman)),
-                   number(median(ratios), 4), number(median([a for a, _ in values]))]
 
 
 def measured(all_walks, change, measure):
@@ -390,11 +267,12 @@ def duration_rows(all_walks):
 
 
 def half_rows(all_walks):
-    """How the first half of a walk ranks all robots, far or not, as the whole walk on the same elements does."""
-    for change in ("draft", "standard"):
-        ways = [[net(changes.get(change, []), periods) for periods in (HALF, PERIODS)] for changes in all_walks.walks.values()]
-        items = [tuple(math.hypot(*way) for way in both) for both in ways if None not in both]
-        yield [change, HALF, len(items), *(number(v, 4) for v in (spearman(items), *interval(items, spearman)))]
+    """How the first half of a walk ranks robots as the whole walk on the same elements does."""
+    for name, robots in (("all", list(all_walks.walks)), ("beyond the floor", all_walks.beyond)):
+        for change in ("draft", "standard", "fine"):
+            ways = [[net(all_walks.walks[robot].get(change, []), periods) for periods in (HALF, PERIODS)] for robot in robots]
+            items = [tuple(math.hypot(*way) for way in both) for both in ways if None not in both]
+            yield [name, change, HALF, len(items), *(number(v, 4) for v in (spearman(items), *interval(items, spearman)))]
 
 
 def shortest_s(durations, change):
@@ -412,12 +290,12 @@ def main(words):
     folder = folder if folder.is_dir() else folder.parent
     try:
         all_walks = Walks(read_walks(folder / "walks.csv"))
-        mirrors = read_mirrors(folder / "robots.csv")
+        bodies = read_bodies(folder / "robots.csv")
         screened = read_screened(folder / "screened.csv")
         gaits = read_gaits(folder / "gaits.csv")
         if len(all_walks.noise_m) < 3:
             raise InputError(f"{folder / 'walks.csv'}: fewer than three robots have all walks")
-    except InputError as error:
+    except (InputError, KeyError, ValueError) as error:
         print(f"known_walks.py: error: {error}", file=sys.stderr)
         return 2
     durations = list(duration_rows(all_walks))
@@ -427,17 +305,16 @@ def main(words):
     write_table(folder / "changes.csv", ["change", "median_m", "ninth_decile_m", "median_share", "median_share_low", "median_share_high",
                                          "ninth_decile_share", *AGREEMENT], change_rows(all_walks))
     write_table(folder / "agreement.csv", ["walk", "with", "beyond", "beyond_m", *AGREEMENT], agreement_rows(all_walks))
-    write_table(folder / "voxels.csv", ["robots_of", "with", *AGREEMENT, "median_error_share"], voxel_rows(all_walks, screened))
-    write_table(folder / "sensitivity.csv", ["change", *AGREEMENT, "median_ratio"], sensitivity_rows(all_walks))
-    write_table(folder / "gait_agreement.csv", ["what", "walk", "meaning", "robots", "spearman", "low", "high", "median_ratio", "median_fine_m"],
-                gait_rows(all_walks, gaits))
+    write_table(folder / "voxels.csv", VOXELS, voxel_rows(all_walks, bodies, screened))
+    write_table(folder / "sensitivity.csv", SENSITIVITY, sensitivity_rows(all_walks))
+    write_table(folder / "gait_agreement.csv", GAIT_AGREEMENT, gait_rows(all_walks, gaits))
     write_table(folder / "symmetry.csv", ["bodies", "walk", "with", "within_45_deg", "within_45_deg_or_mirrored", "of"],
-                symmetry_rows(all_walks, mirrors))
+                symmetry_rows(all_walks, {robot: mirrors_of(body) for robot, body in bodies.items()}))
     write_table(folder / "measures.csv", ["measure", "robots", "small_changes", "low", "high", "gain", "gain_low", "gain_high",
                                           "reference", "reference_low", "reference_high", "draft_reference"], measure_rows(all_walks))
     write_table(folder / "durations.csv", ["walk", "periods", "duration_s", "robots", "spearman", "low", "high", "loss", "loss_low",
                                            "loss_high", "within_45_deg"], durations)
-    write_table(folder / "halves.csv", ["walk", "periods", "robots", "spearman", "low", "high"], half_rows(all_walks))
+    write_table(folder / "halves.csv", ["robots_of", "walk", "periods", "robots", "spearman", "low", "high"], half_rows(all_walks))
     (folder / "known_walks.svg").write_text(draw(all_walks, durations), encoding="utf-8")
     return 0
 

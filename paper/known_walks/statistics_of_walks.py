@@ -1,7 +1,9 @@
-"""Numbers about pairs of walks: ranks, correlations, angles, and intervals by bootstrap over robots. Standard library alone."""
+"""Numbers about pairs of walks: ranks, correlations, angles, and intervals by bootstrap over robots. A pair has two displacements in the plane."""
 
 import math
 import random
+
+from small_tables import cell
 
 RESAMPLES = 500
 SEED = 1
@@ -75,3 +77,28 @@ def share_interval(count, of):
     centre = (count + 0.5 * z * z) / (of + z * z)
     half = z / (of + z * z) * math.sqrt(count * (of - count) / of + 0.25 * z * z)
     return centre - half, centre + half
+
+
+def lengths(pairs):
+    return [(math.hypot(*a), math.hypot(*b)) for a, b in pairs]
+
+
+def rank_correlation(pairs):
+    return spearman(lengths(pairs))
+
+
+def within_45_deg(pairs):
+    """How many of the pairs go the same way, and of how many that go anywhere."""
+    angles = [angle for angle in (angle_deg(a, b) for a, b in pairs) if angle is not None]
+    return sum(angle <= 45.0 for angle in angles), len(angles)
+
+
+AGREEMENT = ["robots", "spearman", "spearman_low", "spearman_high", "within_45_deg", "of", "within_45_deg_share", "share_low", "share_high"]
+
+
+def agreement_cells(pairs):
+    """Rank correlation and agreement of directions of pairs, with intervals: the cells of AGREEMENT."""
+    count, of = within_45_deg(pairs)
+    low, high = interval(lengths(pairs), spearman) if len(pairs) > 3 else (None, None)
+    return [len(pairs), *map(cell, (rank_correlation(pairs), low, high)), count, of,
+            *map(cell, (count / of if of else None, *share_interval(count, of)))]

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """Which robots walk how in this experiment, and where they get.
 
-walks.py choose RESULTS ROBOTS.csv        chooses robots that move, of every rank, from the searches that were screened in RESULTS
+walks.py choose RESULTS ROBOTS.csv        chooses robots that move, of every rank, from the searches that were screened in RESULTS; where they
+                                          are others than before, walks.csv and gaits.csv beside them are of others, too, and go
 walks.py screened RESULTS SCREENED.csv    makes the table of all robots that were screened, with the walks of both models
 walks.py names ROBOTS.csv                 prints the names of the robots
 walks.py study ROBOT CHANGE RESULTS       writes RESULTS/ROBOT/CHANGE.toml, a study of menger locomote, or of menger simulate for voxels
-walks.py gather RESULTS WALKS.csv         makes the table of all walks that are in RESULTS: one row per robot and change
-walks.py gaits RESULTS GAITS.csv          makes the table of how bodies move within a period, on some elements and on voxels
+walks.py gather RESULTS WALKS.csv         makes the table of walks: one row per robot and change
+walks.py gaits RESULTS GAITS.csv          makes the table of how bodies move within a period, with some of the changes
+
+Rows of walks that are not in RESULTS stay in WALKS.csv and GAITS.csv.
 
 CHANGE is one of those below. Exit codes: 0 done, 2 wrong input.
 """
@@ -23,12 +26,15 @@ HERE = pathlib.Path(__file__).resolve().parent
 TREE = HERE.parent.parent
 sys.path.insert(0, str(HERE.parent))
 
+from bodies import form_of  # noqa: E402
 from small_tables import InputError, read_table, read_toml, write_table  # noqa: E402
+from voxel_walks import LARGE  # noqa: E402
 
 PERIOD_S = 1.0 / 3.0
 LEAST_M = 0.001  # a robot that gets no further in five seconds nearly stands still: nobody asks how well its walk is known
 SHIPPED = ("stand18", "uneven_quadruped")  # the others of meshes/designs are symmetric, or flat
-GAITS = ("fine", "draft", "voxels")
+GAITS = ("fine", "draft", "voxels", *LARGE)
+WALK_S = 5.0
 FIRST_OF_GAIT = 5  # periods before it are left out: walks settle
 TWO_LAYERS_S = 2.0  # two elements through the wall cost minutes a second
 
@@ -55,7 +61,6 @@ CHANGES = {
     },
     # The default stiffness of the ground follows from the shortest edge of an element, so that fine elements stand on harder ground.
     "fine_same_ground": lambda ground_Pa_per_m: {"elements.fidelity": "fine", "ground.stiffness_Pa_per_m": ground_Pa_per_m},
-    "double": {"elements.precision": "double"},
     # Large ones, on the elements that are fastest: what a model would get wrong that knows these things badly.
     "draft_0.9_pressure": {"elements.fidelity": "draft", "drive.pressure_Pa": [0, 5400]},
     "draft_0.75_pressure": {"elements.fidelity": "draft", "drive.pressure_Pa": [0, 4500]},
@@ -66,6 +71,13 @@ CHANGES = {
 }
 STUDIES = {"voxels": "voxels.toml", "voxels_without_drag": "voxels.toml"}  # all others: walk.toml
 RESULT_FILES = ("locomotion.toml", "result.toml")  # of menger locomote and menger simulate
+
+
+def read_json(file):
+    try:
+        return json.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}; walks on standard elements come first") from error
 
 
 def toml_value(value):
@@ -129,7 +141,7 @@ def choose(results, table):
     for folder in sorted(pathlib.Path(results).glob("screened_*")):
         search = folder.name.removeprefix("screened_")
         for row in sorted(screened(folder), key=lambda one: int(one["rank"])):
-            form = row["body"].replace("2", "1")  # cells of both materials are driven alike
+            form = form_of(row["body"])
             if math.hypot(*row["way_m"]) < LEAST_M or form in seen:
                 continue
             seen.add(form)
@@ -138,7 +150,16 @@ def choose(results, table):
     for name in SHIPPED:
         layers = read_toml(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
         robots.append([name, "shipped", "", cells_of(layers), layers_text(layers), "", ""])
+    before = table.read_bytes() if table.exists() else b""
     write_table(table, ["robot", "search", "rank", "cells", "layers", "surrogate_dx_m", "surrogate_dy_m"], robots)
+    if before != table.read_bytes():
+        for other in ("walks.csv", "gaits.csv"):
+            (table.parent / other).unlink(missing_ok=True)
+
+
+def model_of_search(results, search):
+    manifest = read_json(results / f"search_{search}.manifest.json")
+    return manifest["parameters"]["evaluation"]["model"]
 
 
 def screened_robots(results, table):
@@ -147,8 +168,8 @@ def screened_robots(results, table):
         search = folder.name.removeprefix("screened_")
         for row in sorted(screened(folder), key=lambda one: int(one["rank"])):
             ways = [*row["surrogate_way_m"], *row["way_m"]]
-            rows.append([search, row["rank"], row["cells"], row["body"], *("" if way == "" else f"{1e6 * way:.1f}" for way in ways)])
-    write_table(table, ["search", "rank", "cells", "layers", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"], rows)
+            rows.append([search, model_of_search(results, search), row["rank"], row["cells"], row["body"], *("" if way == "" else f"{1e6 * way:.1f}" for way in ways)])
+    write_table(table, ["search", "search_on", "rank", "cells", "layers", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"], rows)
 
 
 def study_of(robot, change, results):
@@ -161,7 +182,7 @@ def study_of(robot, change, results):
     study["design"].update(layers=layers_of(found[0]["layers"]), name=robot)
     values = CHANGES[change]
     if callable(values):
-        manifest = json.loads((results / robot / "standard" / "manifest.json").read_text(encoding="utf-8"))
+        manifest = read_json(results / robot / "standard" / "manifest.json")
         values = values(manifest["parameters"]["ground"]["stiffness_Pa_per_m"])
     file = results / robot / f"{change}.toml"
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -192,23 +213,31 @@ def gait(points):
     return [statistics.median(values) for values in (heights, paths, steps)]
 
 
+def write_kept(table, columns, found, changes):
+    """Writes rows of robots and changes, with those that the table had of others. @param found {(robot, change): cells after these}"""
+    kept = {(row["robot"], row["change"]): [row[column] for column in columns] for row in (read_table(table) if table.exists() else [])}
+    kept |= {key: [*key, *cells] for key, cells in found.items()}
+    names = [row["robot"] for row in read_table(HERE / "robots.csv")]
+    write_table(table, columns, [kept[robot, change] for robot in names for change in changes if (robot, change) in kept])
+
+
 def gaits(results, table):
-    rows = []
+    found = {}
     for robot in read_table(HERE / "robots.csv"):
         for change in GAITS:
             file = results / robot["robot"] / change / "trajectory.csv"
             if not file.exists():
                 continue
             points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xyz"] for row in read_table(file)]
-            if points[-1][0] > 5.0 - 0.01:
-                rows.append([robot["robot"], change, *(f"{1e6 * value:.1f}" for value in gait(points))])
-    write_table(table, ["robot", "change", "rise_um", "path_um", "step_um"], rows)
+            if points[-1][0] > WALK_S - 1e-6:
+                found[robot["robot"], change] = [f"{1e6 * value:.1f}" for value in gait(points)]
+    write_kept(table, ["robot", "change", "rise_um", "path_um", "step_um"], found, GAITS)
 
 
 def gather(results, table):
     """Places at the ends of the periods, from the start, in micrometres; a walk that failed has none."""
     periods = range(1, 16)
-    rows = []
+    found = {}
     for robot in read_table(HERE / "robots.csv"):
         for change in CHANGES:
             folder = results / robot["robot"] / change
@@ -226,8 +255,9 @@ def gather(results, table):
                     places += [f"{1e6 * (here - start):.1f}" for here, start in zip(at(points, n * PERIOD_S), points[0][1:])]
                 else:
                     places += ["", ""]
-            rows.append([robot["robot"], change, result["status"], result.get("elements", ""), result["steps"], *places])
-    write_table(table, ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in periods for axis in "xy")], rows)
+            found[robot["robot"], change] = [result["status"], result.get("elements", ""), result["steps"], *places]
+    columns = ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in periods for axis in "xy")]
+    write_kept(table, columns, found, CHANGES)
 
 
 def main(words):

@@ -337,13 +337,13 @@ def layers_of(results, arm, seed):
     yield row
 
 
-LAYER_STATISTICS = ["arm", "winners", "walking", "same_way", "speed_ratio", "relative_speed_difference"]
+LAYER_STATISTICS = ["arm", "winners", "walking", "same_way", "smallest_ratio", "largest_ratio", "speed_ratio", "relative_speed_difference"]
 SAME_WAY_DEG = 45.0
 
 
 def layer_statistics_rows(layers):
     """Of each arm: its winners that were tried on two layers, those that walk there, those that go the same way within 45 degrees, and
-    of those that walk the medians of the ratio of both speeds and of its distance from 1."""
+    of those that walk the least and the largest ratio of both speeds, its median, and the median of its distance from 1."""
     for arm in ON_ELEMENTS:
         of_arm = [row for row in layers if row["arm"] == arm]
         if not of_arm:
@@ -351,6 +351,7 @@ def layer_statistics_rows(layers):
         ratios = [float(row["ratio"]) for row in of_arm if row["ratio"]]
         yield {"arm": arm, "winners": len(of_arm), "walking": len(ratios),
                "same_way": sum(float(row["angle_deg"]) <= SAME_WAY_DEG for row in of_arm if row["angle_deg"]),
+               "smallest_ratio": number(min(ratios)) if ratios else "", "largest_ratio": number(max(ratios)) if ratios else "",
                "speed_ratio": number(median(ratios)) if ratios else "",
                "relative_speed_difference": number(median([abs(ratio - 1.0) for ratio in ratios])) if ratios else ""}
 

@@ -20,6 +20,7 @@ EXPERIMENT = SOURCES / "paper" / "known_walks"
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(EXPERIMENT))
 
+import bodies  # noqa: E402
 import known_walks  # noqa: E402
 import statistics_of_walks as statistics  # noqa: E402
 import walks  # noqa: E402
@@ -98,9 +99,10 @@ class Analysis(unittest.TestCase):
         known_walks.write_table(self.folder / "gaits.csv", ["robot", "change", "rise_um", "path_um", "step_um"], rows)
 
     def write_screened(self, rows):
-        """rows: (search, place on voxels in mm, place on draft elements in mm)"""
-        columns = ["search", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"]
-        known_walks.write_table(self.folder / "screened.csv", columns, [[search, *(1e3 * mm for way in ways for mm in way)] for search, *ways in rows])
+        """rows: (model of the search, body, place on voxels in mm, place on draft elements in mm)"""
+        columns = ["search_on", "layers", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"]
+        known_walks.write_table(self.folder / "screened.csv", columns,
+                                [[model, body, *(1e3 * mm for mm in (*voxels, *draft))] for model, body, voxels, draft in rows])
 
     def run_it(self):
         return known_walks.main([str(self.folder)])
@@ -151,13 +153,13 @@ class Analysis(unittest.TestCase):
         self.assertAlmostEqual(self.value("changes.csv", "fine", "median_share"), math.sqrt(2.0), 3)
 
     def test_mirrors_of_bodies(self):
-        self.assertEqual(known_walks.mirrors_of("111,100,110"), [])
-        self.assertEqual(known_walks.mirrors_of("220,200,120/110,000,110"), ["y"])
-        self.assertEqual(known_walks.mirrors_of("111,010,010"), ["x"])
-        self.assertEqual(known_walks.mirrors_of("111,100,100"), ["diagonal"])
-        self.assertEqual(known_walks.mirrors_of("111,001,001"), ["other diagonal"])
-        self.assertEqual(known_walks.mirrors_of("000,110,000/000,100,000"), ["y"])
-        self.assertEqual(known_walks.mirrors_of("000,110,000"), ["x", "y"], "free rows and columns around a body do not count")
+        self.assertEqual(bodies.mirrors_of("111,100,110"), [])
+        self.assertEqual(bodies.mirrors_of("220,200,120/110,000,110"), ["y"])
+        self.assertEqual(bodies.mirrors_of("111,010,010"), ["x"])
+        self.assertEqual(bodies.mirrors_of("111,100,100"), ["diagonal"])
+        self.assertEqual(bodies.mirrors_of("111,001,001"), ["other diagonal"])
+        self.assertEqual(bodies.mirrors_of("000,110,000/000,100,000"), ["y"])
+        self.assertEqual(bodies.mirrors_of("000,110,000"), ["x", "y"], "free rows and columns around a body do not count")
 
     def test_symmetric_bodies_may_turn_to_either_side(self):
         robots = self.robots()
@@ -212,8 +214,9 @@ class Analysis(unittest.TestCase):
         self.write(robots)
         self.run_it()
         self.assertAlmostEqual(self.value("floor.csv", "shortest_standard_s", "value"), 11 / 3, 3)
-        self.assertEqual(self.value("halves.csv", "standard", "spearman"), -1.0, "the first half goes the other way round")
-        self.assertEqual(self.value("halves.csv", "draft", "spearman"), 1.0)
+        halves = {(row["robots_of"], row["walk"]): row for row in table_of(self.folder / "halves.csv")}
+        self.assertEqual(halves["all", "standard"]["spearman"], "-1", "the first half goes the other way round")
+        self.assertEqual((halves["beyond the floor", "draft"]["spearman"], halves["beyond the floor", "draft"]["robots"]), ("1", "8"))
 
     def test_a_duration_does_not_count_if_a_longer_one_ranks_worse(self):
         durations = [["fine", 0, time, 0, 0, 0, 0, loss] for time, loss in (("1", "0.2"), ("2", "0.01"), ("3", "0.05"), ("4", "0.03"), ("5", "0"))]
@@ -232,25 +235,44 @@ class Analysis(unittest.TestCase):
         robots = self.robots()
         for n in range(1, 9):  # in the reverse order, straight on where fine elements turn to the left
             robots[f"r{n}"]["voxels"] = straight(0.001 * (9 - n))
+            robots[f"r{n}"]["voxels_without_drag"] = straight(0.0)  # stands still
+            robots[f"r{n}"]["two_layers"] = straight(0.001 * (9 - n), periods=6)
         self.write(robots)
-        self.write_screened([(str(1 + n // 10), (n, 0.0), (0.0 if n % 2 else 2.0 * n, 2.0 * n if n % 2 else 0.0)) for n in range(1, 60)])
+        # further and further on voxels, which alternately go the way of elements and the opposite one; every body once more in another material
+        form = "{:06b}".format
+        rows = [("voxels" if n < 30 else "finite_elements", form(n), (n, 0.0), (n if n % 2 else -n, 0.0)) for n in range(1, 60)]
+        self.write_screened([*rows, *((model, body.replace("1", "2"), (0.0, 0.0), way) for model, body, _, way in rows),
+                             ("voxels", "1111111", (1.0, 0.0), (0.01, 0.0))])
         self.run_it()
         found = {(row["robots_of"], row["with"]): row for row in table_of(self.folder / "voxels.csv")}
-        alike = found["all of all searches", "draft"]
-        self.assertEqual((alike["robots"], alike["spearman"], alike["within_45_deg"], alike["of"]), ("59", "1", "29", "59"))
-        self.assertEqual(found["all of searches on voxels", "draft"]["robots"], "29")
-        self.assertEqual(found["all of searches on finite elements", "draft"]["robots"], "30")
+        alike = found["all that were screened", "draft"]
+        self.assertEqual((alike["robots"], alike["within_45_deg"], alike["of"], alike["stand_still"]), ("60", "30", "59", "0"))
+        self.assertAlmostEqual(float(alike["order_share"]), (58 + 0.5) / 59, 3, "one robot that stays behind the floor goes 1 mm on voxels")
+        self.assertEqual(found["those of searches on voxels", "draft"]["robots"], "30")
+        self.assertEqual(found["those of searches on finite elements", "draft"]["robots"], "30")
         reverse = found["beyond the floor", "fine"]
-        self.assertEqual((reverse["robots"], reverse["spearman"], reverse["within_45_deg"]), ("8", "-1", "0"))
-        self.assertAlmostEqual(float(alike["median_error_share"]), math.sqrt(5) / 2, 3)  # (n, 0) in place of (0, 2 n), of most
+        self.assertEqual((reverse["robots"], reverse["spearman"], reverse["within_45_deg"], reverse["of"]), ("8", "-1", "0", "8"))
+        self.assertEqual(reverse["by_chance"], "2", "none of the bodies has a mirror")
+        self.assertNotIn(("beyond the floor, with an overhang", "fine"), found, "none has one")
+        still = found["beyond the floor, voxels without drag", "fine"]
+        self.assertEqual((still["stand_still"], still["of"], still["median_ratio"], still["median_error_share"]), ("8", "0", "0", "1"))
+        self.assertEqual(found["beyond the floor, for 2 s", "two_layers"]["median_error_share"], "0")
 
-    def test_gaits_are_compared_with_fine_elements(self):
+    def test_overhangs(self):
+        self.assertTrue(bodies.has_overhang("010,010/111,010"))
+        self.assertFalse(bodies.has_overhang("000,000/111,010"), "the body begins above")
+        self.assertFalse(bodies.has_overhang("111,111/111,222/100,002"))
+
+    def test_gaits_are_compared(self):
         self.write(self.robots())
-        self.write_gaits([row for n in range(1, 9) for row in ([f"r{n}", "fine", n, 10 * n, n], [f"r{n}", "voxels", 2 * n, 90 - 10 * n, 3 * n])])
+        self.write_gaits([row for n in range(1, 9) for row in ([f"r{n}", "fine", n, 10 * n, n], [f"r{n}", "voxels", 2 * n, 90 - 10 * n, 3 * n],
+                                                               [f"r{n}", "draft", n, n, n], [f"r{n}", "draft_0.75_pressure", 0.5 * n, n, n])])
         self.run_it()
-        found = {row["what"]: row for row in table_of(self.folder / "gait_agreement.csv")}
-        self.assertEqual([(found[name]["spearman"], found[name]["robots"]) for name in ("rise", "path", "step")], [("1", "8"), ("-1", "8"), ("1", "8")])
-        self.assertEqual((found["rise"]["median_ratio"], found["step"]["median_ratio"]), ("2", "3"))
+        found = {(row["what"], row["walk"]): row for row in table_of(self.folder / "gait_agreement.csv")}
+        voxels = [found[name, "voxels"] for name in ("rise", "path", "step")]
+        self.assertEqual([(row["with"], row["spearman"], row["robots"]) for row in voxels], [("fine", "1", "8"), ("fine", "-1", "8"), ("fine", "1", "8")])
+        self.assertEqual((voxels[0]["median_ratio"], voxels[2]["median_ratio"]), ("2", "3"))
+        self.assertEqual((found["rise", "draft_0.75_pressure"]["with"], found["rise", "draft_0.75_pressure"]["median_ratio"]), ("draft", "0.5"))
 
     def test_large_changes_are_compared_with_draft_elements(self):
         robots = self.robots()
@@ -311,6 +333,8 @@ class Studies(unittest.TestCase):
             "pressure": {("drive", "pressure_Pa"): [0, 6060]},
             "together": {("dynamics", "step_safety"): 0.4, ("ground", "stiffness_Pa_per_m"): 8e7,
                          ("ground", "static_friction"): 1.01, ("ground", "kinetic_friction"): 0.505},
+            "draft_0.9_pressure": {("elements", "fidelity"): "draft", ("drive", "pressure_Pa"): [0, 5400]},
+            "fine_same_ground": {("elements", "fidelity"): "fine", ("ground", "stiffness_Pa_per_m"): 4e7},
             "draft_0.75_pressure": {("elements", "fidelity"): "draft", ("drive", "pressure_Pa"): [0, 4500]},
             "draft_0.1_ground": {("elements", "fidelity"): "draft", ("ground", "stiffness_Pa_per_m"): 4e6},
             "draft_3_damping": {("elements", "fidelity"): "draft", ("material", "loss_factor"): 0.3, ("material", "loss_frequency_Hz"): 30},
@@ -321,6 +345,7 @@ class Studies(unittest.TestCase):
             self.assertEqual(self.study(change), expected, change)
         self.assertEqual(self.study("two_layers")["elements"], {"kind": "three_field"})
         voxels = self.study("voxels")
+        self.assertEqual(self.study("voxels_without_drag"), {**voxels, "damping": {"global": 0.0}})
         self.assertTrue(pathlib.Path(voxels["surrogate"]["parameters"]).is_file())
         for table in ("ground", "drive", "time"):
             self.assertEqual(voxels[table], asked[table])
@@ -338,14 +363,29 @@ class Studies(unittest.TestCase):
         self.assertEqual((row["robot"], row["change"], row["elements"]), ("stand18", "standard", "7"))
         self.assertEqual([float(row[key]) for key in ("x_1_um", "y_1_um", "x_15_um", "y_15_um")], [1000.0, -2000.0, 15000.0, -30000.0])
 
-    def test_walks_on_voxels_are_gathered_too(self):
-        robot = self.folder / "results" / "stand18" / "voxels"
-        robot.mkdir(parents=True)
-        (robot / "result.toml").write_text('status = "diverged"\nvoxels = 7\nsteps = 9\n')
-        (robot / "trajectory.csv").write_text("time_s,centre_of_mass_x_m,centre_of_mass_y_m\n0,0,0\n")
-        self.command("gather", self.folder / "results", self.folder / "walks.csv")
-        row, = table_of(self.folder / "walks.csv")
-        self.assertEqual((row["change"], row["status"], row["elements"], row["x_1_um"]), ("voxels", "diverged", "", ""))
+    def test_walks_on_voxels_are_gathered_too_and_others_stay(self):
+        results, table = self.folder / "results", self.folder / "walks.csv"
+        (results / "stand18" / "voxels").mkdir(parents=True)
+        (results / "stand18" / "voxels" / "result.toml").write_text('status = "diverged"\nvoxels = 7\nsteps = 9\n')
+        (results / "stand18" / "voxels" / "trajectory.csv").write_text("time_s,centre_of_mass_x_m,centre_of_mass_y_m\n0,0,0\n")
+        columns = ["robot", "change", "status", "elements", "steps", *(f"{axis}_{n}_um" for n in range(1, 16) for axis in "xy")]
+        known_walks.write_table(table, columns, [["stand18", "voxels", "completed", "", 1, *[1] * 30], ["stand18", "draft", "completed", 5, 1, *[2] * 30],
+                                                 ["nobody", "draft", "completed", 5, 1, *[2] * 30]])
+        self.command("gather", results, table)
+        kept, new = table_of(table)
+        self.assertEqual((kept["robot"], kept["change"], kept["x_1_um"]), ("stand18", "draft", "2"))
+        self.assertEqual((new["change"], new["status"], new["elements"], new["x_1_um"]), ("voxels", "diverged", "", ""))
+
+    def test_gaits_are_those_of_whole_walks(self):
+        for change, end in (("fine", 450), ("draft", 400)):
+            folder = self.folder / "results" / "stand18" / change
+            folder.mkdir(parents=True)
+            lines = ["time_s,centre_of_mass_x_m,centre_of_mass_y_m,centre_of_mass_z_m"]
+            lines += [f"{n / 90},{0.001 * n / 30},0,{0.002 * (n % 30) / 30}" for n in range(end + 1)]
+            (folder / "trajectory.csv").write_text("\n".join(lines) + "\n")
+        self.command("gaits", self.folder / "results", self.folder / "gaits.csv")
+        row, = table_of(self.folder / "gaits.csv")
+        self.assertEqual((row["robot"], row["change"], row["path_um"], row["step_um"]), ("stand18", "fine", "1000.0", "1000.0"))
 
     def test_gait_of_a_known_motion(self):
         # the height follows a sine of 2 mm, the place goes 1 mm forth along x and 0.4 mm of it back in each period
@@ -369,6 +409,8 @@ class Studies(unittest.TestCase):
             (folder / "trajectories" / f"rank_{rank:04d}.csv").write_text(
                 "time_s,elements_dx_m,elements_dy_m,surrogate_dx_m,surrogate_dy_m\n" + "\n".join(points) + "\n")
         (folder / "reevaluation.csv").write_text("\n".join(lines) + "\n")
+        model = "voxels" if search == "1" else "finite_elements"
+        (self.folder / f"search_{search}.manifest.json").write_text(f'{{"parameters": {{"evaluation": {{"model": "{model}"}}}}}}')
 
     def test_robots_that_move_are_chosen_once_from_every_search(self):
         self.screen("1", {(9, "111"): (2.0, "completed"), (3, "110"): (-1.5, "completed"), (1, "101"): (0.9, "completed"),
@@ -383,8 +425,25 @@ class Studies(unittest.TestCase):
         self.screen("2", {(9, "111"): (2.0, "completed"), (3, "110"): (0.0, "completed"), (2, "011"): (4.0, "diverged")})
         self.command("screened", self.folder, self.folder / "screened.csv")
         rows = table_of(self.folder / "screened.csv")
-        self.assertEqual([(row["search"], row["rank"], row["layers"]) for row in rows], [("2", "3", "110"), ("2", "9", "111")])
+        self.assertEqual([(row["search_on"], row["rank"], row["layers"]) for row in rows], [("finite_elements", "3", "110"), ("finite_elements", "9", "111")])
         self.assertEqual((rows[1]["draft_dx_um"], rows[1]["voxels_dx_um"], rows[1]["draft_dy_um"]), ("2000.0", "2000000.0", "0.0"))  # as screen() writes them
+
+    def test_other_robots_have_other_walks(self):
+        self.screen("1", {(9, "111"): (2.0, "completed")})
+        tables = self.folder / "tables"
+        tables.mkdir()
+        self.command("choose", self.folder, tables / "robots.csv")
+        (tables / "walks.csv").write_text("of the same robots\n")
+        self.command("choose", self.folder, tables / "robots.csv")
+        self.assertTrue((tables / "walks.csv").exists())
+        self.screen("2", {(1, "101"): (2.0, "completed")})
+        self.command("choose", self.folder, tables / "robots.csv")
+        self.assertFalse((tables / "walks.csv").exists())
+
+    def test_a_change_of_the_ground_needs_the_walk_on_standard_elements(self):
+        outcome = subprocess.run([str(EXPERIMENT / "walks.py"), "study", "stand18", "draft_0.1_ground", str(self.folder)], capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("walks on standard elements come first", outcome.stderr)
 
     def test_unknown_ones_are_refused(self):
         for words in (["study", "stand18", "twice", "."], ["study", "nobody", "fine", "."], ["jump"]):

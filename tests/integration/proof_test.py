@@ -289,11 +289,13 @@ class Searches(unittest.TestCase):
         row, = table_of(self.tables / "layer_statistics.csv")
         self.assertEqual((row["winners"], row["walking"], row["same_way"]), ("3", "2", "1"), "one fell, one went the other way")
         self.assertEqual((row["speed_ratio"], row["relative_speed_difference"]), ("0.65", "0.35"))
+        self.assertEqual((row["smallest_ratio"], row["largest_ratio"]), ("0.5", "0.8"))
 
     def test_winners_that_all_fall_on_two_layers_are_counted(self):
         self.make("both", 1, 0.07)
         self.put("both_1.layers.csv", self.LAYERS, [[1, 5, 0.8, 0.01, 0.0, 0.1, "it fell"]])
         self.assertEqual(self.call("take", self.results, self.tables, "both", 1).returncode, 0)
+        (self.tables / "statistics.csv").write_text("of former searches\n")
         self.assertEqual(self.call("summary", self.tables).returncode, 0)
         row, = table_of(self.tables / "layer_statistics.csv")
         self.assertEqual((row["arm"], row["winners"], row["walking"], row["same_way"], row["speed_ratio"]), ("both", "1", "0", "0", ""))
