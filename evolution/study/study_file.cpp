@@ -314,7 +314,7 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
                          study.robust, [&](RobustOptions& robust) { describe_robust(visitor, uses_elements(study), robust); });
   visitor.check(!study.robust || uses_elements(study) || plan.levels() == std::vector{1}, "robust",
                 "needs body.levels = [1]: single modules");
-  visitor.check(!study.robust || !plan.step_checks, "robust",
+  visitor.check(!study.robust || uses_elements(study) || !plan.step_checks, "robust",
                 "cannot be combined with [check_dt]: there is no one walk to be checked");
   plan.scenarios = study.robust ? scenarios_of(study).size() : 1;
   plan.quantile = study.robust ? study.robust->quantile : 0.0;
@@ -502,6 +502,7 @@ std::string unusable_elements(const Study& study) {
   if (!plan.stand) return "evaluation.stand = false: must be true: finite elements put every body on the ground";
   if (!study.physics.floor) return "ground.present = false: must be true";
   if (std::string problem = unusable_screening(study); !problem.empty()) return problem;
+  if (study.robust && plan.step_checks) return "[check_dt]: beside [robust] there is no one walk to be checked";
   const auto& [first, second] = study.physics.materials;
   if (first.static_friction != second.static_friction || first.kinetic_friction != second.kinetic_friction)
     return "materials: a cast body is of one silicone: both materials must have the same friction";

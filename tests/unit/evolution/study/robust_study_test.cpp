@@ -84,7 +84,7 @@ TEST_F(RobustStudy, RefusesWhatMakesNoScenario) {
   expect_refused("[robust]\nloss_factors = [0.1, 0.1]\n", "must be different");
   expect_refused("[robust]\nquantile = 1\n", "robust.quantile = 1");
   expect_refused("[robust]\nscenarios = 3\n", "robust.scenarios");
-  expect_refused("[robust]\n[check_dt]\n", "robust: cannot be combined with [check_dt]");
+  expect_refused("[robust]\n[check_dt]\n", "[check_dt]: beside [robust]");
   std::string steady = walking_study_text("", "", "[robust]\n");
   steady.replace(steady.find("mutants = 3\n"), 12, "mutants = 3\nselection = \"steady_state\"\n");
   const std::string with_steady_state =
