@@ -1,5 +1,7 @@
 """What the bodies of robots are like. A body is a text: layers from the ground up, apart by slashes, of rows apart by commas, of cells."""
 
+import itertools
+
 # Mirrors of the plane that leave a square as it is: of a place in rows and columns, and of a displacement.
 MIRRORS = {
     "x": (lambda rows: [row[::-1] for row in rows], lambda way: (-way[0], way[1])),
@@ -28,9 +30,22 @@ def mirrors_of(layers):
     return [name for name, (mirrored, _) in MIRRORS.items() if [mirrored(layer) for layer in cut] == cut]
 
 
-def has_overhang(layers):
-    """Whether a cell has nothing below it, although the body has a layer there."""
-    body = grid_of(layers)
-    return any(above == "1" and below == "0"
-               for lower, upper in zip(body, body[1:]) if any("1" in row for row in lower)
-               for below_row, above_row in zip(lower, upper) for below, above in zip(below_row, above_row))
+def is_stepped(layers):
+    """Whether two cells that follow each other have an edge that points inwards: a step, an overhang, a wall on a plate. As the kind
+    "stepped" of menger simulate; there is no such edge in one layer."""
+    cells = {(x, y, z) for z, layer in enumerate(grid_of(layers)) for y, row in enumerate(layer) for x, digit in enumerate(row) if digit == "1"}
+    units = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+
+    def moved(cell, *ways):
+        return tuple(map(sum, zip(cell, *ways)))
+
+    def has_edge(cell, one, other):
+        return all(at in cells for at in (cell, moved(cell, one), moved(cell, other))) and moved(cell, one, other) not in cells
+
+    for n, along in enumerate(units):
+        one, other = (units[(n + k) % 3] for k in (1, 2))
+        for to_one, to_other in itertools.product((1, -1), repeat=2):
+            ways = tuple(to_one * c for c in one), tuple(to_other * c for c in other)
+            if any(has_edge(cell, *ways) and has_edge(moved(cell, along), *ways) for cell in cells):
+                return True
+    return False

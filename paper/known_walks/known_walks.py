@@ -16,7 +16,7 @@ import sys
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
-from bodies import MIRRORS, mirrors_of
+from bodies import MIRRORS, is_stepped, mirrors_of
 from chart_of_walks import draw
 from small_tables import InputError, read_table, write_table
 from statistics_of_walks import AGREEMENT, agreement_cells, angle_deg, interval, median, quantile, rank_correlation, spearman, within_45_deg
@@ -140,7 +140,7 @@ def progress_rows(all_walks):
         yield [change, len(ends), sum(not places for places in ends)]
 
 
-def floor_rows(all_walks):
+def floor_rows(all_walks, bodies):
     noise = list(all_walks.noise_m.values())
     known = [robot for robot in all_walks.noise_m if all_walks.noise_m[robot] < all_walks.distance_m[robot]]
     rho = [rank_correlation(all_walks.pairs(all_walks.beyond, change)) for change in CEILING if change in all_walks.small]
@@ -148,6 +148,7 @@ def floor_rows(all_walks):
     on_elements = [places for changes in all_walks.walks.values() for change, places in changes.items() if not change.startswith("voxels")]
     return [
         ["robots", len(all_walks.walks)],
+        ["stepped_robots", sum(is_stepped(bodies[robot]) for robot in all_walks.walks)],
         ["robots_of_all_walks", len(noise)],
         ["walks", len(on_elements)],
         ["failed_walks", sum(not places for places in on_elements)],
@@ -300,7 +301,7 @@ def main(words):
         return 2
     durations = list(duration_rows(all_walks))
     shortest = [[f"shortest_{change}_s", shortest_s(durations, change)] for change in ("draft", "standard", "fine")]
-    write_table(folder / "floor.csv", ["what", "value"], floor_rows(all_walks) + shortest)
+    write_table(folder / "floor.csv", ["what", "value"], floor_rows(all_walks, bodies) + shortest)
     write_table(folder / "progress.csv", ["change", "done", "failed"], progress_rows(all_walks))
     write_table(folder / "changes.csv", ["change", "median_m", "ninth_decile_m", "median_share", "median_share_low", "median_share_high",
                                          "ninth_decile_share", *AGREEMENT], change_rows(all_walks))

@@ -2,7 +2,7 @@
 
 import math
 
-from bodies import form_of, has_overhang, mirrors_of
+from bodies import form_of, is_stepped, mirrors_of
 from small_tables import cell, read_table
 from statistics_of_walks import AGREEMENT, agreement_cells, angle_deg, interval, lengths, median, rank_correlation, spearman
 
@@ -67,8 +67,8 @@ def voxel_rows(all_walks, bodies, screened):
         ("those of searches on voxels", "draft", [robot for search_on, robot in of_searches if search_on == "voxels"]),
         ("those of searches on finite elements", "draft", [robot for search_on, robot in of_searches if search_on == "finite_elements"]),
         ("beyond the floor", "fine", walked("fine")),
-        ("beyond the floor, with an overhang", "fine", walked("fine", wanted=has_overhang)),
-        ("beyond the floor, without one", "fine", walked("fine", wanted=lambda body: not has_overhang(body))),
+        ("beyond the floor, stepped bodies", "fine", walked("fine", wanted=is_stepped)),
+        ("beyond the floor, others", "fine", walked("fine", wanted=lambda body: not is_stepped(body))),
         ("beyond the floor, voxels without drag", "fine", walked("fine", "voxels_without_drag")),
         ("beyond the floor, for 2 s", "two_layers", walked("two_layers")),
     ]

@@ -2,6 +2,7 @@
 part fit "5 min of two cores" "load cases of cells, bars and joints, and the fit of the voxels to them"
 part held_out "10 min of two cores" "fifteen other bodies, by the voxels as they are fitted in the tree"
 part aggregates "4 min of one core" "fourteen aggregates of 3 to 9 modules, likewise"
+part stepped "2 min of one core" "eight bodies with long inner edges, likewise"
 part without_elbows "6 min of one core" "a fit in which elbows keep their angle, and the errors of both sets of bodies with it"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -23,6 +24,13 @@ aggregates() {
   menger validate voxel/studies/aggregates.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
     --curves "$results/aggregates_curves" --output "$results/aggregates"
   table "$results/aggregates/summary.csv" "$study/aggregates.csv"
+}
+
+stepped() {
+  menger load-cases fem/studies/load_cases/stepped.toml --output "$results/stepped_curves"
+  menger validate voxel/studies/stepped.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
+    --curves "$results/stepped_curves" --output "$results/stepped"
+  table "$results/stepped/summary.csv" "$study/stepped.csv"
 }
 
 # Validates the fit in which elbows keep their angle. @param study, name of the set of bodies

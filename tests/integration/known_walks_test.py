@@ -126,6 +126,7 @@ class Analysis(unittest.TestCase):
         self.assertAlmostEqual(self.value("floor.csv", "floor_m", "value"), 0.0001, 7)
         self.assertEqual(self.value("floor.csv", "robots_beyond", "value"), 8)
         self.assertEqual(self.value("floor.csv", "failed_walks", "value"), 0)
+        self.assertEqual(self.value("floor.csv", "stepped_robots", "value"), 0)
 
     def test_robots_below_the_floor_are_left_out(self):
         robots = self.robots()
@@ -253,15 +254,16 @@ class Analysis(unittest.TestCase):
         reverse = found["beyond the floor", "fine"]
         self.assertEqual((reverse["robots"], reverse["spearman"], reverse["within_45_deg"], reverse["of"]), ("8", "-1", "0", "8"))
         self.assertEqual(reverse["by_chance"], "2", "none of the bodies has a mirror")
-        self.assertNotIn(("beyond the floor, with an overhang", "fine"), found, "none has one")
+        self.assertNotIn(("beyond the floor, stepped bodies", "fine"), found, "none is")
         still = found["beyond the floor, voxels without drag", "fine"]
         self.assertEqual((still["stand_still"], still["of"], still["median_ratio"], still["median_error_share"]), ("8", "0", "0", "1"))
         self.assertEqual(found["beyond the floor, for 2 s", "two_layers"]["median_error_share"], "0")
 
-    def test_overhangs(self):
-        self.assertTrue(bodies.has_overhang("010,010/111,010"))
-        self.assertFalse(bodies.has_overhang("000,000/111,010"), "the body begins above")
-        self.assertFalse(bodies.has_overhang("111,111/111,222/100,002"))
+    def test_stepped_bodies_have_an_inner_edge_of_two_cells(self):
+        for body in ("010,010/111,111", "222,222,222/111,000,000", "111,111,111/100,100,000", "11,10/11,10"):
+            self.assertTrue(bodies.is_stepped(body), body)
+        for body in ("111,111,111/100,000,000", "111,111,110", "000,000/111,010", "111,111/222,111"):
+            self.assertFalse(bodies.is_stepped(body), body)
 
     def test_gaits_are_compared(self):
         self.write(self.robots())

@@ -37,7 +37,7 @@ STUDIES = {
     "stall-map": ["paper/pneumatics/stall_map.toml"],
     "load-cases": ["fem/studies/load_cases/*.toml", "paper/demo/check.toml", "paper/demo/load_cases.toml", "paper/silicone/check.toml", "paper/trade_off/walls.toml"],
     "calibrate": ["paper/demo/calibration.toml", "voxel/studies/dragon_skin_*.toml", "voxel/studies/ecoflex_*.toml"],
-    "validate": ["voxel/studies/held_out*.toml", "voxel/studies/aggregates.toml", "paper/silicone/check_validation.toml"],
+    "validate": ["voxel/studies/held_out*.toml", "voxel/studies/aggregates.toml", "voxel/studies/stepped*.toml", "paper/silicone/check_validation.toml"],
     "reevaluate": ["paper/demo/reevaluation.toml", "paper/known_walks/screening.toml", "paper/silicone/reevaluation*.toml",
                    "paper/walkers/standard.toml", "paper/walkers/fine.toml"],
     "tradeoff": ["paper/trade_off/study.toml", "paper/trade_off/search.toml"],

@@ -33,6 +33,28 @@ bool is_in_square(const Polycube& body, const CellIndex& cell) {
          is_in_square(body, cell, axes[2], axes[0]);
 }
 
+/// Whether two cells that follow each other along an axis have an edge that points inwards between two sides: a neighbour on each
+/// of these, and nothing diagonally between the neighbours.
+bool has_long_inner_edge(const Polycube& body, const CellIndex& cell, const CellIndex& one, const CellIndex& other,
+                         const CellIndex& along) {
+  const auto is_there = [&body](const CellIndex& at) { return body.at_or_empty(at) != meshes::empty; };
+  const auto has_edge = [&](const CellIndex& at, int to_one, int to_other) {
+    const CellIndex beside = moved(at, one, to_one);
+    return is_there(at) && is_there(beside) && is_there(moved(at, other, to_other)) && !is_there(moved(beside, other, to_other));
+  };
+  for (const int to_one : {-1, 1}) {
+    for (const int to_other : {-1, 1}) {
+      if (has_edge(cell, to_one, to_other) && has_edge(moved(cell, along, 1), to_one, to_other)) return true;
+    }
+  }
+  return false;
+}
+
+bool has_long_inner_edge(const Polycube& body, const CellIndex& cell) {
+  return has_long_inner_edge(body, cell, axes[0], axes[1], axes[2]) ||
+         has_long_inner_edge(body, cell, axes[1], axes[2], axes[0]) || has_long_inner_edge(body, cell, axes[2], axes[0], axes[1]);
+}
+
 bool is_flat(const std::vector<CellIndex>& cells) {
   const auto in_one_layer = [&cells](int CellIndex::*coordinate) {
     return std::all_of(cells.begin(), cells.end(),
@@ -49,6 +71,7 @@ struct KindNames {
 
 constexpr ByBodyKind<KindNames> kind_names{{{"limbs", "a body of limbs", "bodies of limbs"},
                                             {"flat_plate", "a flat plate", "flat plates"},
+                                            {"stepped", "a stepped body (an inner edge of two cells or more)", "stepped bodies"},
                                             {"plate_on_legs", "a plate on legs", "plates on legs"},
                                             {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
                                             {"block", "a block (every cell in a square of four)", "blocks"},
@@ -67,6 +90,8 @@ BodyKind kind_of(const Polycube& basal_body, int level) {
   if (level > 1) return has_squares ? BodyKind::aggregate_of_plates : BodyKind::aggregate_of_limbs;
   if (!has_squares) return BodyKind::limbs;
   if (is_flat(cells)) return BodyKind::flat_plate;
+  if (std::any_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return has_long_inner_edge(basal_body, cell); }))
+    return BodyKind::stepped;
   if (std::none_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return is_lowest(cell) && in_square(cell); }))
     return BodyKind::plate_on_legs;
   return std::all_of(cells.begin(), cells.end(), in_square) ? BodyKind::block : BodyKind::plate_with_limbs;

@@ -10,22 +10,28 @@
 namespace menger::voxel {
 
 /// The kind of a body, by which the errors of calibrated voxels differ: how its cells form plates, that is, squares of four cells
-/// in one plane, and what it stands on.
+/// in one plane, where these meet, and what it stands on.
 enum class BodyKind {
   limbs,               ///< no square: single cells, bars, bends, rings, frames
   flat_plate,          ///< a square, and all cells in one layer
+  stepped,             ///< an edge that points inwards and is two cells long or longer: a step, an overhang, a wall on a plate
   plate_on_legs,       ///< a square, but none with a cell of the lowest layer
   plate_with_limbs,    ///< stands on a plate, and has a cell that is in no square
   block,               ///< every cell is in a square
   aggregate_of_limbs,  ///< several modules, of limbs each
   aggregate_of_plates  ///< several modules, with a square each
 };
-inline constexpr std::size_t body_kind_count = 7;
+inline constexpr std::size_t body_kind_count = 8;
 template <class Value>
 using ByBodyKind = std::array<Value, body_kind_count>;
-inline constexpr ByBodyKind<BodyKind> body_kinds{
-    BodyKind::limbs, BodyKind::flat_plate,         BodyKind::plate_on_legs,      BodyKind::plate_with_limbs,
-    BodyKind::block, BodyKind::aggregate_of_limbs, BodyKind::aggregate_of_plates};
+inline constexpr ByBodyKind<BodyKind> body_kinds{BodyKind::limbs,
+                                                 BodyKind::flat_plate,
+                                                 BodyKind::stepped,
+                                                 BodyKind::plate_on_legs,
+                                                 BodyKind::plate_with_limbs,
+                                                 BodyKind::block,
+                                                 BodyKind::aggregate_of_limbs,
+                                                 BodyKind::aggregate_of_plates};
 
 /// Whether a kind is one of several modules.
 constexpr bool is_aggregate(BodyKind kind) {

@@ -37,7 +37,17 @@ TEST(BodyKind, StandsOnLegsIfItsLowestLayerIsInNoSquare) {
   for (const char* name : {"quadruped", "uneven_quadruped"}) EXPECT_EQ(kind_of_design(name), BodyKind::plate_on_legs) << name;
   EXPECT_EQ(kind(3, 3, 3, "000101000000101000111111111"), BodyKind::plate_on_legs) << "legs of two cells";
   EXPECT_EQ(kind(3, 3, 3, "000000000000101000111111111"), BodyKind::plate_on_legs) << "an empty layer below";
-  EXPECT_EQ(kind(3, 2, 2, "110000111111"), BodyKind::block) << "legs side by side are a square with the plate above";
+}
+
+TEST(BodyKind, IsSteppedWithAnInnerEdgeOfTwoCells) {
+  EXPECT_EQ(kind(3, 3, 2, "111111111111000000"), BodyKind::stepped) << "a row on a plate";
+  EXPECT_EQ(kind(3, 3, 2, "110110110111111111"), BodyKind::stepped) << "a plate that hangs over";
+  EXPECT_EQ(kind(3, 3, 2, "111111111100100000"), BodyKind::stepped) << "a row of two along the other axis";
+  EXPECT_EQ(kind(2, 2, 2, "11111010"), BodyKind::stepped) << "a gutter";
+  EXPECT_EQ(kind(2, 2, 2, "11101110"), BodyKind::stepped) << "an upright one";
+  EXPECT_EQ(kind(3, 2, 2, "110000111111"), BodyKind::stepped) << "legs side by side";
+  EXPECT_NE(kind(3, 2, 2, "100000111111"), BodyKind::stepped) << "one leg";
+  EXPECT_NE(kind(3, 3, 1, "111111110"), BodyKind::stepped) << "one layer";
 }
 
 TEST(BodyKind, TellsAPlateWithLimbsFromABlock) {
