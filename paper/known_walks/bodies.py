@@ -31,7 +31,7 @@ def mirrors_of(layers):
 
 
 def is_stepped(layers):
-    """Whether two cells that follow each other have an edge that points inwards: a step, an overhang, a wall on a plate. As the kind
+    """Whether two cells that follow each other have the same edge that points inwards: a step, an overhang, a wall on a plate. As the kind
     "stepped" of menger simulate; there is no such edge in one layer."""
     cells = {(x, y, z) for z, layer in enumerate(grid_of(layers)) for y, row in enumerate(layer) for x, digit in enumerate(row) if digit == "1"}
     units = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]

@@ -148,6 +148,7 @@ def floor_rows(all_walks, bodies):
     on_elements = [places for changes in all_walks.walks.values() for change, places in changes.items() if not change.startswith("voxels")]
     return [
         ["robots", len(all_walks.walks)],
+        ["stepped_share", number(sum(is_stepped(bodies[robot]) for robot in all_walks.walks) / len(all_walks.walks), 4)],
         ["stepped_robots", sum(is_stepped(bodies[robot]) for robot in all_walks.walks)],
         ["robots_of_all_walks", len(noise)],
         ["walks", len(on_elements)],

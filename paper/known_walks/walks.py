@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 """Which robots walk how in this experiment, and where they get.
 
-walks.py choose RESULTS ROBOTS.csv        chooses robots that move, of every rank, from the searches that were screened in RESULTS; where they
-                                          are others than before, walks.csv and gaits.csv beside them are of others, too, and go
+walks.py choose RESULTS ROBOTS.csv        chooses robots that move from the searches that were screened in RESULTS; rows of walks.csv and
+                                          gaits.csv beside the table stay if a robot of that name has the same body
 walks.py screened RESULTS SCREENED.csv    makes the table of all robots that were screened, with the walks of both models
 walks.py names ROBOTS.csv                 prints the names of the robots
 walks.py study ROBOT CHANGE RESULTS       writes RESULTS/ROBOT/CHANGE.toml, a study of menger locomote, or of menger simulate for voxels
 walks.py gather RESULTS WALKS.csv         makes the table of walks: one row per robot and change
 walks.py gaits RESULTS GAITS.csv          makes the table of how bodies move within a period, with some of the changes
 
-Rows of walks that are not in RESULTS stay in WALKS.csv and GAITS.csv.
+Rows of walks that are not in RESULTS stay in WALKS.csv and GAITS.csv if their robot is in robots.csv; how many is said.
 
 CHANGE is one of those below. Exit codes: 0 done, 2 wrong input.
 """
@@ -150,11 +150,19 @@ def choose(results, table):
     for name in SHIPPED:
         layers = read_toml(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
         robots.append([name, "shipped", "", cells_of(layers), layers_text(layers), "", ""])
-    before = table.read_bytes() if table.exists() else b""
+    before = bodies_of(table) if table.exists() else {}
     write_table(table, ["robot", "search", "rank", "cells", "layers", "surrogate_dx_m", "surrogate_dy_m"], robots)
-    if before != table.read_bytes():
-        for other in ("walks.csv", "gaits.csv"):
-            (table.parent / other).unlink(missing_ok=True)
+    same = {robot for robot, body in bodies_of(table).items() if before.get(robot) == body}
+    for other in (table.parent / "walks.csv", table.parent / "gaits.csv"):
+        rows = read_table(other) if other.exists() else []
+        kept = [row for row in rows if row["robot"] in same]
+        if len(kept) < len(rows):
+            print(f"{other}: {len(rows) - len(kept)} rows are of other bodies and go", file=sys.stderr)
+            write_table(other, list(rows[0]), kept)
+
+
+def bodies_of(table):
+    return {row["robot"]: row["layers"] for row in read_table(table)}
 
 
 def model_of_search(results, search):
@@ -216,8 +224,11 @@ def gait(points):
 def write_kept(table, columns, found, changes):
     """Writes rows of robots and changes, with those that the table had of others. @param found {(robot, change): cells after these}"""
     kept = {(row["robot"], row["change"]): [row[column] for column in columns] for row in (read_table(table) if table.exists() else [])}
-    kept |= {key: [*key, *cells] for key, cells in found.items()}
     names = [row["robot"] for row in read_table(HERE / "robots.csv")]
+    former = sum(robot in names and change in changes and (robot, change) not in found for robot, change in kept)
+    if former:
+        print(f"{table}: {former} rows are kept from before", file=sys.stderr)
+    kept |= {key: [*key, *cells] for key, cells in found.items()}
     write_table(table, columns, [kept[robot, change] for robot in names for change in changes if (robot, change) in kept])
 
 

@@ -254,10 +254,24 @@ class Analysis(unittest.TestCase):
         reverse = found["beyond the floor", "fine"]
         self.assertEqual((reverse["robots"], reverse["spearman"], reverse["within_45_deg"], reverse["of"]), ("8", "-1", "0", "8"))
         self.assertEqual(reverse["by_chance"], "2", "none of the bodies has a mirror")
+        self.assertEqual((alike["far"], alike["order_low"] != ""), ("59", True))
         self.assertNotIn(("beyond the floor, stepped bodies", "fine"), found, "none is")
         still = found["beyond the floor, voxels without drag", "fine"]
         self.assertEqual((still["stand_still"], still["of"], still["median_ratio"], still["median_error_share"]), ("8", "0", "0", "1"))
         self.assertEqual(found["beyond the floor, for 2 s", "two_layers"]["median_error_share"], "0")
+
+    def test_chance_and_kinds_of_bodies(self):
+        robots = self.robots()
+        for n in range(1, 9):
+            robots[f"r{n}"]["voxels"] = straight(0.001 * n)
+        self.write(robots)
+        names = ["111,100,110/000,000,000"] * 2 + ["111,111,111/111,000,000"] * 6  # no mirror; one, and a step
+        known_walks.write_table(self.folder / "robots.csv", ["robot", "layers"], [[f"r{n}", body] for n, body in enumerate(names, 1)])
+        self.run_it()
+        found = {row["robots_of"]: row for row in table_of(self.folder / "voxels.csv")}
+        self.assertEqual((found["beyond the floor"]["by_chance"], found["beyond the floor"]["of"]), ("3.5", "8"))
+        self.assertEqual((found["beyond the floor, stepped bodies"]["robots"], found["beyond the floor, stepped bodies"]["by_chance"]), ("6", "3"))
+        self.assertEqual(self.value("floor.csv", "stepped_robots", "value"), 6)
 
     def test_stepped_bodies_have_an_inner_edge_of_two_cells(self):
         for body in ("010,010/111,111", "222,222,222/111,000,000", "111,111,111/100,100,000", "11,10/11,10"):
@@ -430,17 +444,16 @@ class Studies(unittest.TestCase):
         self.assertEqual([(row["search_on"], row["rank"], row["layers"]) for row in rows], [("finite_elements", "3", "110"), ("finite_elements", "9", "111")])
         self.assertEqual((rows[1]["draft_dx_um"], rows[1]["voxels_dx_um"], rows[1]["draft_dy_um"]), ("2000.0", "2000000.0", "0.0"))  # as screen() writes them
 
-    def test_other_robots_have_other_walks(self):
-        self.screen("1", {(9, "111"): (2.0, "completed")})
+    def test_walks_stay_with_their_bodies(self):
+        self.screen("1", {(9, "111"): (2.0, "completed"), (8, "110"): (3.0, "completed")})
         tables = self.folder / "tables"
         tables.mkdir()
         self.command("choose", self.folder, tables / "robots.csv")
-        (tables / "walks.csv").write_text("of the same robots\n")
+        known_walks.write_table(tables / "walks.csv", ["robot", "change"], [["search_1_rank_08", "fine"], ["search_1_rank_09", "fine"]])
+        shutil.rmtree(self.folder / "screened_1")
+        self.screen("1", {(9, "111"): (2.5, "completed"), (8, "101"): (3.0, "completed")})  # another displacement; another body
         self.command("choose", self.folder, tables / "robots.csv")
-        self.assertTrue((tables / "walks.csv").exists())
-        self.screen("2", {(1, "101"): (2.0, "completed")})
-        self.command("choose", self.folder, tables / "robots.csv")
-        self.assertFalse((tables / "walks.csv").exists())
+        self.assertEqual([row["robot"] for row in table_of(tables / "walks.csv")], ["search_1_rank_09"])
 
     def test_a_change_of_the_ground_needs_the_walk_on_standard_elements(self):
         outcome = subprocess.run([str(EXPERIMENT / "walks.py"), "study", "stand18", "draft_0.1_ground", str(self.folder)], capture_output=True, text=True, check=False)

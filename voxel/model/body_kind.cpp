@@ -69,14 +69,16 @@ struct KindNames {
   std::string_view plural;
 };
 
-constexpr ByBodyKind<KindNames> kind_names{{{"limbs", "a body of limbs", "bodies of limbs"},
-                                            {"flat_plate", "a flat plate", "flat plates"},
-                                            {"stepped", "a stepped body (an inner edge of two cells or more)", "stepped bodies"},
-                                            {"plate_on_legs", "a plate on legs", "plates on legs"},
-                                            {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
-                                            {"block", "a block (every cell in a square of four)", "blocks"},
-                                            {"aggregate_of_limbs", "an aggregate of limbs", "aggregates of limbs"},
-                                            {"aggregate_of_plates", "an aggregate of plates", "aggregates of plates"}}};
+constexpr ByBodyKind<KindNames> kind_names{
+    {{"limbs", "a body of limbs", "bodies of limbs"},
+     {"flat_plate", "a flat plate", "flat plates"},
+     {"stepped", "a stepped body (an inner edge of two cells or more)", "stepped bodies"},
+     {"plate_on_legs", "a plate on legs", "plates on legs"},
+     {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
+     {"block", "a block (every cell in a square of four)", "blocks"},
+     {"aggregate_of_limbs", "an aggregate of limbs", "aggregates of limbs"},
+     {"aggregate_of_plates", "an aggregate of plates", "aggregates of plates"},
+     {"aggregate_of_stepped_bodies", "an aggregate of stepped bodies", "aggregates of stepped bodies"}}};
 
 const KindNames& names_of(BodyKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
@@ -87,11 +89,13 @@ BodyKind kind_of(const Polycube& basal_body, int level) {
   const auto in_square = [&basal_body](const CellIndex& cell) { return is_in_square(basal_body, cell); };
   const auto is_lowest = [&cells](const CellIndex& cell) { return cell.z == cells.front().z; };
   const bool has_squares = std::any_of(cells.begin(), cells.end(), in_square);
+  const bool is_stepped =
+      std::any_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return has_long_inner_edge(basal_body, cell); });
+  if (level > 1 && is_stepped) return BodyKind::aggregate_of_stepped_bodies;
   if (level > 1) return has_squares ? BodyKind::aggregate_of_plates : BodyKind::aggregate_of_limbs;
   if (!has_squares) return BodyKind::limbs;
   if (is_flat(cells)) return BodyKind::flat_plate;
-  if (std::any_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return has_long_inner_edge(basal_body, cell); }))
-    return BodyKind::stepped;
+  if (is_stepped) return BodyKind::stepped;
   if (std::none_of(cells.begin(), cells.end(), [&](const CellIndex& cell) { return is_lowest(cell) && in_square(cell); }))
     return BodyKind::plate_on_legs;
   return std::all_of(cells.begin(), cells.end(), in_square) ? BodyKind::block : BodyKind::plate_with_limbs;

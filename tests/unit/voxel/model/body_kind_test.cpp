@@ -46,6 +46,7 @@ TEST(BodyKind, IsSteppedWithAnInnerEdgeOfTwoCells) {
   EXPECT_EQ(kind(2, 2, 2, "11111010"), BodyKind::stepped) << "a gutter";
   EXPECT_EQ(kind(2, 2, 2, "11101110"), BodyKind::stepped) << "an upright one";
   EXPECT_EQ(kind(3, 2, 2, "110000111111"), BodyKind::stepped) << "legs side by side";
+  EXPECT_EQ(kind(3, 3, 2, "111101111111101111"), BodyKind::stepped) << "a frame of two layers";
   EXPECT_NE(kind(3, 2, 2, "100000111111"), BodyKind::stepped) << "one leg";
   EXPECT_NE(kind(3, 3, 1, "111111110"), BodyKind::stepped) << "one layer";
 }
@@ -62,6 +63,7 @@ TEST(BodyKind, IsAnAggregateAboveLevelOne) {
   EXPECT_EQ(kind_of(Polycube::from_digits(2, 2, 1, "1111"), 2), BodyKind::aggregate_of_plates);
   EXPECT_EQ(kind_of(Polycube::from_digits(2, 2, 1, "1110"), 2), BodyKind::aggregate_of_limbs);
   EXPECT_EQ(kind_of(Polycube::from_digits(1, 1, 1, "1"), 2), BodyKind::aggregate_of_limbs);
+  EXPECT_EQ(kind_of(Polycube::from_digits(2, 2, 2, "11111010"), 2), BodyKind::aggregate_of_stepped_bodies);
 }
 
 TEST(BodyKind, IsFoundByItsName) {

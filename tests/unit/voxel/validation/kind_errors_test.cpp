@@ -46,8 +46,8 @@ TEST(KindErrors, AreThoseOfTheBodiesOfAKind) {
   EXPECT_EQ(plates.volume_median, 0.0);
   EXPECT_EQ(plates.signs, 8U);
   EXPECT_EQ(plates.wrong_signs, 2U);
-  for (const BodyKind kind : {BodyKind::plate_on_legs, BodyKind::plate_with_limbs, BodyKind::block, BodyKind::aggregate_of_limbs})
-    EXPECT_FALSE(errors.of(kind)) << to_string(kind);
+  for (const BodyKind kind : body_kinds)
+    EXPECT_EQ(errors.of(kind).has_value(), kind == BodyKind::limbs || kind == BodyKind::flat_plate) << to_string(kind);
 }
 
 TEST(KindErrors, LeaveOutWhatIsOutsideTheRangeOfValidity) {
