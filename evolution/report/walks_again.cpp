@@ -39,7 +39,7 @@ MissingWalks missing_walks(std::span<const WalksAgain> asked, std::span<const Fi
   for (const WalksAgain& one : asked) {
     for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(one.study)) {
       const std::string protocol = scenario->physics();
-      const int level = one.study.search.first_level();  // finite elements have one
+      const int level = one.study.search.first_level();
       for (const FitDesign& robot : robots) {
         const Phenotype simulated = as_simulated(one.study.search, robot.phenotype);
         const std::string design = design_hash(simulated, level);

@@ -2,6 +2,8 @@
 
 import itertools
 
+from small_tables import read_table
+
 # Mirrors of the plane that leave a square as it is: of a place in rows and columns, and of a displacement.
 MIRRORS = {
     "x": (lambda rows: [row[::-1] for row in rows], lambda way: (-way[0], way[1])),
@@ -9,6 +11,11 @@ MIRRORS = {
     "diagonal": (lambda rows: list(map("".join, zip(*rows))), lambda way: (way[1], way[0])),
     "other diagonal": (lambda rows: list(map("".join, zip(*[row[::-1] for row in rows[::-1]]))), lambda way: (-way[1], -way[0])),
 }
+
+
+def read_bodies(file):
+    """{robot: its body}"""
+    return {row["robot"]: row["layers"] for row in read_table(file)}
 
 
 def form_of(layers):

@@ -38,14 +38,19 @@ walk() {
   esac
 }
 
-# Change by change, so that a table of fewer changes can be made before all are done.
-walks() {
+# Walks of all robots, change by change, so that a table of fewer changes can be made before all are done.
+all_walk() {
   local robot change
-  for change in standard draft fine half_step stiff_ground friction pressure together; do
+  for change in "$@"; do
     for robot in $("$study/walks.py" names "$study/robots.csv"); do
-      walk "$robot" $change
+      walk "$robot" "$change"
     done
   done
+}
+
+walks() {
+  local robot
+  all_walk standard draft fine half_step stiff_ground friction pressure together
   for robot in $(some_robots); do walk "$robot" fine_same_ground; done
   tables
 }
@@ -59,21 +64,12 @@ two_layers() {
 }
 
 sensitivity() {
-  local robot change
-  for change in draft_0.9_pressure draft_0.75_pressure draft_0.1_ground draft_3_damping; do
-    for robot in $("$study/walks.py" names "$study/robots.csv"); do
-      walk "$robot" $change
-    done
-  done
+  all_walk draft_0.9_pressure draft_0.75_pressure draft_0.1_ground draft_3_damping
   tables
 }
 
 voxels() {
-  local robot
-  for robot in $("$study/walks.py" names "$study/robots.csv"); do
-    walk "$robot" voxels
-    walk "$robot" voxels_without_drag
-  done
+  all_walk voxels voxels_without_drag
   tables
 }
 

@@ -16,10 +16,11 @@ import sys
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
-from bodies import MIRRORS, is_stepped, mirrors_of
+from bodies import MIRRORS, is_stepped, mirrors_of, read_bodies
 from chart_of_walks import draw
 from small_tables import InputError, read_table, write_table
-from statistics_of_walks import AGREEMENT, agreement_cells, angle_deg, interval, median, quantile, rank_correlation, spearman, within_45_deg
+from statistics_of_walks import (AGREEMENT, FEWEST, agreement_cells, angle_deg, interval, median, quantile, rank_correlation, spearman,
+                                 within_45_deg)
 from voxel_walks import GAIT_AGREEMENT, LARGE, SENSITIVITY, VOXELS, gait_rows, read_gaits, read_screened, sensitivity_rows, voxel_rows
 
 PERIODS = 15
@@ -31,7 +32,6 @@ TOGETHER = "together"  # those of CEILING at once
 SHOWN = (*SMALL, TOGETHER, "draft", "fine", "fine_same_ground", "two_layers", "voxels")
 MOST_LOSS = 0.03
 ENOUGH = 20  # robots that walked on fine elements; with fewer, all are compared with standard elements
-FEWEST = 5  # robots with a change; with fewer it is left out, so that tables can be made before all walks are done
 DISTANCES_M = (0.0, 0.001, 0.002, 0.005)
 
 
@@ -45,11 +45,6 @@ def read_walks(file):
                 places.append((1e-6 * float(row[f"x_{n}_um"]), 1e-6 * float(row[f"y_{n}_um"])))
         walks.setdefault(row["robot"], {})[row["change"]] = places
     return walks
-
-
-def read_bodies(file):
-    """{robot: its body}"""
-    return {row["robot"]: row["layers"] for row in read_table(file)}
 
 
 def minus(a, b):
@@ -113,6 +108,10 @@ class Walks:
         self.floor_m = median(list(self.noise_m.values())) if self.noise_m else 0.0
         self.beyond = [robot for robot in self.distance_m if self.distance_m[robot] > self.floor_m]
 
+    def floor_over_m(self, walk):
+        """The floor over the time of a walk: what goes evenly goes as much less far in a shorter one."""
+        return self.floor_m * ((TWO_LAYERS_PERIODS - 1) / (PERIODS - 1) if walk == "two_layers" else 1.0)
+
     def pair(self, robot, change, other="standard"):
         """The displacements of a robot with a change and of another walk of it, over the time of the shorter one."""
         changes = self.walks[robot]
@@ -148,7 +147,6 @@ def floor_rows(all_walks, bodies):
     on_elements = [places for changes in all_walks.walks.values() for change, places in changes.items() if not change.startswith("voxels")]
     return [
         ["robots", len(all_walks.walks)],
-        ["stepped_share", number(sum(is_stepped(bodies[robot]) for robot in all_walks.walks) / len(all_walks.walks), 4)],
         ["stepped_robots", sum(is_stepped(bodies[robot]) for robot in all_walks.walks)],
         ["robots_of_all_walks", len(noise)],
         ["walks", len(on_elements)],

@@ -5,6 +5,7 @@ import random
 
 from small_tables import cell
 
+FEWEST = 5  # pairs of walks; with fewer a row is left out, so that tables can be made before all walks are done
 RESAMPLES = 500
 SEED = 1
 

@@ -4,15 +4,13 @@ import math
 
 from bodies import form_of, is_stepped, mirrors_of
 from small_tables import cell, read_table
-from statistics_of_walks import AGREEMENT, agreement_cells, angle_deg, interval, lengths, median, rank_correlation, spearman
+from statistics_of_walks import (AGREEMENT, FEWEST, agreement_cells, interval, lengths, median, rank_correlation, spearman,
+                                 within_45_deg)
 
 LARGE = ("draft_0.9_pressure", "draft_0.75_pressure", "draft_3_damping", "draft_0.1_ground")  # changes of a walk on draft elements
-FEWEST = 5  # pairs of walks; with fewer a row is left out
-SAME_WAY_DEG = 45.0
-SHARE_OF_TWO_SECONDS = 5.0 / 14.0  # of the periods after the first one
 
-VOXELS = ["robots_of", "with", "robots", "spearman", "spearman_low", "spearman_high", "order_share", "order_low", "order_high", "far", "stand_still", "within_45_deg", "of",
-          "by_chance", "median_error_share", "median_ratio"]
+VOXELS = ["robots_of", "with", "robots", "spearman", "spearman_low", "spearman_high", "order_share", "order_low", "order_high", "far",
+          "stand_still", "within_45_deg", "of", "by_chance", "median_error_share", "median_ratio"]
 
 
 def read_screened(file):
@@ -46,12 +44,13 @@ def voxel_cells(robots, floor_m):
     pairs = [pair for _, *pair in robots]
     far = [robot for robot in robots if math.hypot(*robot[1]) > floor_m]
     both = [robot for robot in far if math.hypot(*robot[2]) > floor_m]
-    same_way = sum((angle_deg(elements, voxels) or 0.0) <= SAME_WAY_DEG for _, elements, voxels in both)
+    same_way, of = within_45_deg([pair for _, *pair in both])
     by_chance = sum(0.5 if len(mirrors_of(body)) == 1 else 0.25 for body, *_ in both)
     errors = [math.hypot(b[0] - a[0], b[1] - a[1]) / math.hypot(*a) for _, a, b in far]
     ratios = [math.hypot(*b) / math.hypot(*a) for _, a, b in far]
     order = [order_share(pairs, floor_m), *interval(pairs, lambda sample: order_share(sample, floor_m))]
-    return [len(pairs), *map(cell, (rank_correlation(pairs), *interval(lengths(pairs), spearman), *order)), len(far), len(far) - len(both), same_way, len(both), cell(by_chance), *(cell(median(values)) if values else "" for values in (errors, ratios))]
+    return [len(pairs), *map(cell, (rank_correlation(pairs), *interval(lengths(pairs), spearman), *order)), len(far), len(far) - len(both),
+            same_way, of, cell(by_chance), *(cell(median(values)) if values else "" for values in (errors, ratios))]
 
 
 def voxel_rows(all_walks, bodies, screened):
@@ -75,9 +74,7 @@ def voxel_rows(all_walks, bodies, screened):
     ]
     for name, walk, robots in groups:
         if len(robots) >= FEWEST:
-            # A robot that goes evenly goes as much less far in shorter walks.
-            share = SHARE_OF_TWO_SECONDS if walk == "two_layers" else 1.0
-            yield [name, walk, *voxel_cells(robots, share * all_walks.floor_m)]
+            yield [name, walk, *voxel_cells(robots, all_walks.floor_over_m(walk))]
 
 
 SENSITIVITY = ["change", *AGREEMENT, "median_ratio"]

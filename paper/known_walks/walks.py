@@ -18,7 +18,6 @@ import copy
 import json
 import math
 import pathlib
-import statistics
 import sys
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
@@ -26,8 +25,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 TREE = HERE.parent.parent
 sys.path.insert(0, str(HERE.parent))
 
-from bodies import form_of  # noqa: E402
+from bodies import form_of, read_bodies  # noqa: E402
 from small_tables import InputError, read_table, read_toml, write_table  # noqa: E402
+from statistics_of_walks import median  # noqa: E402
 from voxel_walks import LARGE  # noqa: E402
 
 PERIOD_S = 1.0 / 3.0
@@ -150,19 +150,15 @@ def choose(results, table):
     for name in SHIPPED:
         layers = read_toml(TREE / "meshes" / "designs" / f"{name}.toml")["layers"]
         robots.append([name, "shipped", "", cells_of(layers), layers_text(layers), "", ""])
-    before = bodies_of(table) if table.exists() else {}
+    before = read_bodies(table) if table.exists() else {}
     write_table(table, ["robot", "search", "rank", "cells", "layers", "surrogate_dx_m", "surrogate_dy_m"], robots)
-    same = {robot for robot, body in bodies_of(table).items() if before.get(robot) == body}
+    same = {robot for robot, body in read_bodies(table).items() if before.get(robot) == body}
     for other in (table.parent / "walks.csv", table.parent / "gaits.csv"):
         rows = read_table(other) if other.exists() else []
         kept = [row for row in rows if row["robot"] in same]
         if len(kept) < len(rows):
             print(f"{other}: {len(rows) - len(kept)} rows are of other bodies and go", file=sys.stderr)
             write_table(other, list(rows[0]), kept)
-
-
-def bodies_of(table):
-    return {row["robot"]: row["layers"] for row in read_table(table)}
 
 
 def model_of_search(results, search):
@@ -176,7 +172,8 @@ def screened_robots(results, table):
         search = folder.name.removeprefix("screened_")
         for row in sorted(screened(folder), key=lambda one: int(one["rank"])):
             ways = [*row["surrogate_way_m"], *row["way_m"]]
-            rows.append([search, model_of_search(results, search), row["rank"], row["cells"], row["body"], *("" if way == "" else f"{1e6 * way:.1f}" for way in ways)])
+            cells = ["" if way == "" else f"{1e6 * way:.1f}" for way in ways]
+            rows.append([search, model_of_search(results, search), row["rank"], row["cells"], row["body"], *cells])
     write_table(table, ["search", "search_on", "rank", "cells", "layers", "voxels_dx_um", "voxels_dy_um", "draft_dx_um", "draft_dy_um"], rows)
 
 
@@ -196,6 +193,11 @@ def study_of(robot, change, results):
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(toml_text(changed(study, values)), encoding="utf-8")
     print(file)
+
+
+def read_points(file, axes):
+    """[time, place of the centre of mass along each axis], s and m"""
+    return [[float(row["time_s"]), *(float(row[f"centre_of_mass_{axis}_m"]) for axis in axes)] for row in read_table(file)]
 
 
 def at(points, time_s):
@@ -218,7 +220,7 @@ def gait(points):
         heights.append(max(point[3] for point in own) - min(point[3] for point in own))
         paths.append(sum(math.dist(a[1:3], b[1:3]) for a, b in zip(own, own[1:])))
         steps.append(math.dist(own[0][1:3], own[-1][1:3]))
-    return [statistics.median(values) for values in (heights, paths, steps)]
+    return [median(values) for values in (heights, paths, steps)]
 
 
 def write_kept(table, columns, found, changes):
@@ -239,7 +241,7 @@ def gaits(results, table):
             file = results / robot["robot"] / change / "trajectory.csv"
             if not file.exists():
                 continue
-            points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xyz"] for row in read_table(file)]
+            points = read_points(file, "xyz")
             if points[-1][0] > WALK_S - 1e-6:
                 found[robot["robot"], change] = [f"{1e6 * value:.1f}" for value in gait(points)]
     write_kept(table, ["robot", "change", "rise_um", "path_um", "step_um"], found, GAITS)
@@ -258,8 +260,7 @@ def gather(results, table):
             result = read_toml(files[0])
             if result["status"] == "stopped":
                 continue
-            points = [[float(row["time_s"])] + [float(row[f"centre_of_mass_{axis}_m"]) for axis in "xy"]
-                      for row in read_table(folder / "trajectory.csv")]
+            points = read_points(folder / "trajectory.csv", "xy")
             places = []
             for n in periods:
                 if result["status"] == "completed" and n * PERIOD_S <= points[-1][0] + 1e-6:

@@ -18,7 +18,7 @@ import xml.dom.minidom
 SOURCES = pathlib.Path(sys.argv.pop()).resolve()
 EXPERIMENT = SOURCES / "paper" / "known_walks"
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(EXPERIMENT))
+sys.path[:0] = [str(EXPERIMENT), str(EXPERIMENT.parent)]
 
 import bodies  # noqa: E402
 import known_walks  # noqa: E402

@@ -15,13 +15,15 @@ CellIndex moved(const CellIndex& cell, const CellIndex& by, int steps) {
   return {cell.x + steps * by.x, cell.y + steps * by.y, cell.z + steps * by.z};
 }
 
+bool is_there(const Polycube& body, const CellIndex& at) { return body.at_or_empty(at) != meshes::empty; }
+
 /// Whether a cell is one of four that form a square across two axes.
 bool is_in_square(const Polycube& body, const CellIndex& cell, const CellIndex& one, const CellIndex& other) {
-  const auto is_there = [&body](const CellIndex& at) { return body.at_or_empty(at) != meshes::empty; };
   for (const int along_one : {-1, 1}) {
     for (const int along_other : {-1, 1}) {
       const CellIndex beside = moved(cell, one, along_one);
-      if (is_there(beside) && is_there(moved(cell, other, along_other)) && is_there(moved(beside, other, along_other)))
+      if (is_there(body, beside) && is_there(body, moved(cell, other, along_other)) &&
+          is_there(body, moved(beside, other, along_other)))
         return true;
     }
   }
@@ -37,10 +39,10 @@ bool is_in_square(const Polycube& body, const CellIndex& cell) {
 /// of these, and nothing diagonally between the neighbours.
 bool has_long_inner_edge(const Polycube& body, const CellIndex& cell, const CellIndex& one, const CellIndex& other,
                          const CellIndex& along) {
-  const auto is_there = [&body](const CellIndex& at) { return body.at_or_empty(at) != meshes::empty; };
   const auto has_edge = [&](const CellIndex& at, int to_one, int to_other) {
     const CellIndex beside = moved(at, one, to_one);
-    return is_there(at) && is_there(beside) && is_there(moved(at, other, to_other)) && !is_there(moved(beside, other, to_other));
+    return is_there(body, at) && is_there(body, beside) && is_there(body, moved(at, other, to_other)) &&
+           !is_there(body, moved(beside, other, to_other));
   };
   for (const int to_one : {-1, 1}) {
     for (const int to_other : {-1, 1}) {
@@ -77,8 +79,8 @@ constexpr ByBodyKind<KindNames> kind_names{
      {"plate_with_limbs", "a plate with limbs", "plates with limbs"},
      {"block", "a block (every cell in a square of four)", "blocks"},
      {"aggregate_of_limbs", "an aggregate of limbs", "aggregates of limbs"},
-     {"aggregate_of_plates", "an aggregate of plates", "aggregates of plates"},
-     {"aggregate_of_stepped_bodies", "an aggregate of stepped bodies", "aggregates of stepped bodies"}}};
+     {"aggregate_of_stepped_bodies", "an aggregate of stepped bodies", "aggregates of stepped bodies"},
+     {"aggregate_of_plates", "an aggregate of plates", "aggregates of plates"}}};
 
 const KindNames& names_of(BodyKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
