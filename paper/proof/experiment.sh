@@ -1,8 +1,8 @@
 # At equal cost, which search finds the better robot: on voxels, on finite elements, or on both?
-# A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
+# A seed is five searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "seed_$seed" "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements"
+  part_on_request "seed_$seed" "2.5 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings"
 done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
@@ -18,7 +18,7 @@ one_search() {
   local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions winner judge
   say "proof: seed $seed, $arm"
   proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
-  for judge in fine elements two_layers; do proof judge $judge "$size" "$out/studies/$judge.toml"; done
+  for judge in fine elements two_layers dampings; do proof judge $judge "$size" "$out/studies/$judge.toml"; done
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
   menger confirm "$out/$name.sqlite" "$out/studies/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
   menger export "$out/$name.sqlite" --output "$out/$name" --levels "$(proof level "$size")" --no-frames --no-pictures
@@ -27,10 +27,13 @@ one_search() {
     read -ra champions <<<"$champions"
     if [ ${#champions[@]} -gt 0 ]; then champions=(--individuals "${champions[@]}"); else champions=(--champions); fi  # none: an empty table
     menger confirm "$out/$name.sqlite" "$out/studies/elements.toml" "${champions[@]}" --output "$out/$name.champions.csv"
-  elif [ "$(proof number "$size" two_layers)" = True ]; then
+  elif [ "$(proof number "$size" winners_again)" = True ]; then
     # With the search, not later: archives are not kept in git.
     winner=$(proof winner "$out" "$arm" "$seed")
-    [ -z "$winner" ] || menger confirm "$out/$name.sqlite" "$out/studies/two_layers.toml" --individuals "$winner" --output "$out/$name.layers.csv"
+    if [ -n "$winner" ]; then
+      menger confirm "$out/$name.sqlite" "$out/studies/two_layers.toml" --individuals "$winner" --output "$out/$name.layers.csv"
+      menger confirm "$out/$name.sqlite" "$out/studies/dampings.toml" --individuals "$winner" --output "$out/$name.dampings.csv"
+    fi
   fi
   proof take "$out" "$tables" "$arm" "$seed"
 }
@@ -57,7 +60,7 @@ summary() {
 
 # A short search of an arm on one thread, with the wall times of its walks.
 timed_search() {
-  sed 's|"../../voxel|"../../../voxel|; s/^frictions = .*/frictions = [0.8]/' "$study/$1.toml" >"$results/cost_$1.toml"
+  sed "s|^parameters = \"|&$PWD/$study/|; s/^frictions = .*/frictions = [0.8]/" "$study/$1.toml" >"$results/cost_$1.toml"
   rm -f "$results/cost_$1.sqlite"
   menger evolve "$results/cost_$1.toml" --generations 1 --threads 1 --output "$results/cost_$1.sqlite"
   menger export "$results/cost_$1.sqlite" --output "$results/cost/$1" --timings --levels 1 --no-frames --no-pictures

@@ -2,26 +2,30 @@
 """What the proof needs besides menger: studies with their seed and budget, the tables of finished searches, and what follows from them.
 
 proof.py study ARM SEED SIZE.toml OUT.toml    writes the study of a search, with the budget of SIZE.toml and cost.csv
-proof.py judge NAME SIZE.toml OUT.toml        writes a study that robots walk by after a search: fine, elements or two_layers
+proof.py judge NAME SIZE.toml OUT.toml        writes a study that robots walk by after a search: fine, elements, two_layers or dampings
 proof.py number SIZE.toml KEY                 prints a value of SIZE.toml
 proof.py level SIZE.toml                      prints the level of its bodies
 proof.py missing TABLES SEED SIZE.toml        prints the arms of a seed, of those of SIZE.toml, that the tables lack
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
 proof.py winner RESULTS ARM SEED              prints the individual that counts of a search on finite elements; nothing if none walks
-proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv, walks.csv and layers.csv
-proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv, layer_statistics.csv and proof.svg
+proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv, walks.csv, and where there are any, to
+                                              layers.csv, dampings.csv and screening.csv
+proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv, layer_statistics.csv, damping_statistics.csv,
+                                              screened.csv and proof.svg
 
 A score is the displacement in a period of the drive, in body lengths, in the worst of three frictions. A robot without a score does not
 walk: it counts as 0. Exit codes: 0 done, 2 wrong input.
 """
 
+import contextlib
 import itertools
 import math
 import os
 import pathlib
 import random
 import re
+import sqlite3
 import sys
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
@@ -32,17 +36,21 @@ from chart_of_walks import HEIGHT, INK, WIDTH, Panel, words  # noqa: E402
 from small_tables import InputError, read_table, read_toml, write_table, write_whole  # noqa: E402
 from statistics_of_walks import angle_deg, median, quantile  # noqa: E402
 
-ARMS = ("voxels", "elements", "both", "voxels_robust")
-NAMES = {"voxels": "voxels at one friction", "elements": "finite elements", "both": "voxels screen for finite elements",
-         "voxels_robust": "voxels in three frictions"}
-SHORT_NAMES = {"voxels": "voxels", "elements": "elements", "both": "both", "voxels_robust": "voxels, 3"}
-STYLES = {"voxels": ("#D55E00", "triangle"), "elements": ("#0072B2", "circle"), "both": ("#009E73", "diamond"), "voxels_robust": ("#CC79A7", "square")}
-JUDGES = ("fine", "elements", "two_layers")  # studies that robots walk by after a search
+ARMS = ("voxels", "elements", "both", "voxels_robust", "elements_45")  # seeds follow from their order: new ones come last
+NAMES = {"voxels": "voxels at one friction", "elements": "finite elements", "both": "elements, voxels screen",
+         "voxels_robust": "voxels in three frictions", "elements_45": "elements, 45 children"}
+SHORT_NAMES = {"voxels": "voxels", "elements": "elements", "both": "both", "voxels_robust": "voxels, 3",
+               "elements_45": "elements, 45"}
+STYLES = {"voxels": ("#D55E00", "triangle"), "elements": ("#0072B2", "circle"), "both": ("#009E73", "diamond"),
+          "voxels_robust": ("#CC79A7", "square"), "elements_45": ("#56B4E9", "cross")}
+JUDGES = ("fine", "elements", "two_layers", "dampings")  # studies that robots walk by after a search
 OF_VOXELS = ("voxels", "voxels_robust")  # arms whose scores are not those of finite elements
 ON_ELEMENTS = tuple(arm for arm in ARMS if arm not in OF_VOXELS)
-# Those that were planned before the searches, and those that were added when robots of voxels turned out to fail at other frictions.
+# Those that were planned before the searches, those that were added when robots of voxels turned out to fail at other frictions, and
+# those that were added because both.toml has three times as many children as elements.toml.
 COMPARISONS = ((("elements", "voxels"), ("both", "voxels"), ("both", "elements")),
-               (("elements", "voxels_robust"), ("both", "voxels_robust"), ("voxels_robust", "voxels")))
+               (("elements", "voxels_robust"), ("both", "voxels_robust"), ("voxels_robust", "voxels")),
+               (("both", "elements_45"), ("elements_45", "elements"), ("elements_45", "voxels")))
 CORES = 2  # of which size.toml speaks
 LEAST_SEARCHES = 5  # of an arm that is compared: fewer say nothing
 RESAMPLES = 10000
@@ -95,7 +103,7 @@ def study_text(arm, seed, size, folder):
     text = re.sub(r'^parameters = "(.*)"$', lambda found: f'parameters = "{os.path.relpath(HERE / found[1], folder)}"', text,
                   flags=re.MULTILINE)
     budget = f"\n[budget]\nelement_steps = {budget_element_steps(size):.6g}\n"
-    if arm != "elements":
+    if "[surrogate]" in text:
         budget += f"voxel_steps_per_element_step = {costs()['voxel_steps_per_element_step']:.4g}\n"
     return text + budget
 
@@ -337,6 +345,43 @@ def layers_of(results, arm, seed):
     yield row
 
 
+DAMPINGS = ["arm", "seed", "individual", "loss_factor", "body_lengths"]
+
+
+def dampings_of(results, arm, seed):
+    """The winner of a search in the worst friction at each damping: that of fine.toml, and those of dampings.toml. A walk that ended
+    early or fell counts as 0. Nothing where no robot walks."""
+    winner = winner_of(judged_robots(results, arm, seed))
+    if not winner:
+        return
+    individual, worst = winner[0]["individual"], {}
+    for row in [*winner, *read_table(results / f"{arm}_{seed}.dampings.csv")]:
+        if row["individual"] == individual:
+            lengths = 0.0 if row["reason"] else float(row["body_lengths"])
+            worst[row["loss_factor"]] = min(lengths, worst.get(row["loss_factor"], math.inf))
+    if len(worst) < 2:
+        raise InputError(f"{results}/{arm}_{seed}.dampings.csv: has no walk of individual {individual}")
+    for loss_factor in sorted(worst, key=float):
+        yield {"arm": arm, "seed": seed, "individual": individual, "loss_factor": loss_factor, "body_lengths": number(worst[loss_factor])}
+
+
+DAMPING_STATISTICS = ["arm", "winners", "walking", "smallest_ratio", "median_ratio"]
+
+
+def damping_statistics_rows(dampings):
+    """Of each arm: its winners that were tried at several dampings, those that walk at all of them, and the slowest speed of a winner
+    by its fastest: the least, and the median."""
+    for arm in ON_ELEMENTS:
+        speeds = {}
+        for row in dampings:
+            if row["arm"] == arm:
+                speeds.setdefault(row["seed"], []).append(float(row["body_lengths"]))
+        if speeds:
+            ratios = [min(of_one) / max(of_one) for of_one in speeds.values()]
+            yield {"arm": arm, "winners": len(speeds), "walking": sum(ratio > 0.0 for ratio in ratios), "smallest_ratio": number(min(ratios)),
+                   "median_ratio": number(median(ratios))}
+
+
 LAYER_STATISTICS = ["arm", "winners", "walking", "same_way", "smallest_ratio", "largest_ratio", "speed_ratio", "relative_speed_difference"]
 SAME_WAY_DEG = 45.0
 
@@ -354,6 +399,42 @@ def layer_statistics_rows(layers):
                "smallest_ratio": number(min(ratios)) if ratios else "", "largest_ratio": number(max(ratios)) if ratios else "",
                "speed_ratio": number(median(ratios)) if ratios else "",
                "relative_speed_difference": number(median([abs(ratio - 1.0) for ratio in ratios])) if ratios else ""}
+
+
+SCREENING = ["arm", "seed", "passed", "drawn", "left_out", "passed_and_survive", "drawn_and_survive"]
+
+
+def screening_of(results, arm, seed):
+    """What the voxels of a search did to its new robots after the first generation: how many passed and walked on finite elements, how
+    many of the others were drawn and walked all the same, how many were left out; and of those that walked, how many survived the
+    generation in which they were new. Nothing where nothing was screened."""
+    archive = results / f"{arm}_{seed}.sqlite"
+    if arm != "both" or not archive.exists():
+        return
+    with contextlib.closing(sqlite3.connect(f"file:{archive}?mode=ro", uri=True)) as connection:
+        found = {outcome: (robots, survivors) for outcome, robots, survivors in connection.execute(
+            "SELECT outcome, COUNT(*), COUNT(survivor_rank) FROM screening JOIN contender USING (id, generation) "
+            "WHERE generation > 0 GROUP BY outcome")}
+    passed, drawn, left_out = (found.get(outcome, (0, 0)) for outcome in ("passed", "drawn", "left out"))
+    yield {"arm": arm, "seed": seed, "passed": passed[0], "drawn": drawn[0], "left_out": left_out[0], "passed_and_survive": passed[1],
+           "drawn_and_survive": drawn[1]}
+
+
+SCREENED = ["arm", "searches", "new_robots", "left_out_share", "left_out_least", "left_out_largest", "passed", "passed_survive_share", "drawn",
+            "drawn_survive_share"]
+
+
+def screened_row(rows):
+    """All searches of screening.csv together: the share of new robots that was left out, and of those that walked the share that survived
+    the generation in which they were new, of robots that passed and of robots that were rejected and drawn."""
+    counts = [{key: int(row[key]) for key in SCREENING[2:]} for row in rows]
+    total = {key: sum(one[key] for one in counts) for key in SCREENING[2:]}
+    shares = [one["left_out"] / (one["passed"] + one["drawn"] + one["left_out"]) for one in counts]
+    new = total["passed"] + total["drawn"] + total["left_out"]
+    return {"arm": "both", "searches": len(counts), "new_robots": new, "left_out_share": number(total["left_out"] / new),
+            "left_out_least": number(min(shares)), "left_out_largest": number(max(shares)), "passed": total["passed"],
+            "passed_survive_share": number(total["passed_and_survive"] / total["passed"]), "drawn": total["drawn"],
+            "drawn_survive_share": number(total["drawn_and_survive"] / total["drawn"]) if total["drawn"] else ""}
 
 
 WALKS = ["arm", "seed", "rank", "individual", "friction", "body_lengths"]
@@ -404,6 +485,7 @@ def ticks(highest):
 
 
 def draw(outcomes, progress):
+    drawn = [arm for arm in ARMS if outcomes[arm]]
     searches = {arm: {} for arm in ARMS}
     for row in progress:
         searches[row["arm"]].setdefault(row["seed"], []).append(row)
@@ -426,16 +508,15 @@ def draw(outcomes, progress):
         first.add_band([(cost, low, high) for cost, low, _, high in line], STYLES[arm][0])
         first.add_line([(cost, middle) for cost, _, middle, _ in line], STYLES[arm][0])
         first.add_mark(*[(cost, middle) for cost, _, middle, _ in line][-1], STYLES[arm])
-    first.add_legend([(STYLES[arm], NAMES[arm]) for arm in ARMS if outcomes[arm]])
+    first.add_legend([(STYLES[arm], NAMES[arm]) for arm in drawn])
     best_ticks = ticks(max((x for values in outcomes.values() for x in values), default=1.0))
-    second = Panel(1, "The best robot of each search, on fine elements", ("worst of three frictions", 0.5, len(ARMS) + 0.5, [], False),
+    second = Panel(1, "The best robot of each search, on fine elements", ("worst of three frictions", 0.5, len(drawn) + 0.5, [], False),
                    ("body lengths in a period", 0.0, best_ticks[-1], best_ticks, False))
-    for n, arm in enumerate(ARMS, 1):
+    for n, arm in enumerate(drawn, 1):
         values = outcomes[arm]
         for k, x in enumerate(sorted(values)):
             second.add_mark(n + 0.3 * ((k + 0.5) / len(values) - 0.5), x, STYLES[arm])
-        if values:
-            second.add_line([(n - 0.25, median(values)), (n + 0.25, median(values))], INK)
+        second.add_line([(n - 0.25, median(values)), (n + 0.25, median(values))], INK)
         second.parts.append(words(second.place_x(n), HEIGHT - 130 + 18, SHORT_NAMES[arm], size=12))
     parts = [part for panel in (first, second) for part in panel.parts]
     width = WIDTH - 420  # two of three panels
@@ -473,6 +554,11 @@ def main(arguments):
                 outcome = outcome_of(results, arm, seed)
                 if (results / f"{arm}_{seed}.layers.csv").exists():  # where the size asks for it
                     add_rows(tables / "layers.csv", LAYERS, arm, seed, list(layers_of(results, arm, seed)))
+                if (results / f"{arm}_{seed}.dampings.csv").exists():
+                    add_rows(tables / "dampings.csv", DAMPINGS, arm, seed, list(dampings_of(results, arm, seed)))
+                screening = list(screening_of(results, arm, seed))
+                if screening:
+                    add_rows(tables / "screening.csv", SCREENING, arm, seed, screening)
                 add_rows(tables / "progress.csv", PROGRESS, arm, seed, progress)
                 add_rows(tables / "walks.csv", WALKS, arm, seed, list(walks_of(results, arm, seed)))
                 # the last one: a search whose outcome is there is not run again
@@ -485,6 +571,10 @@ def main(arguments):
                     write_table(tables / "by_friction.csv", BY_FRICTION, by_friction_rows(read_table(tables / "walks.csv")))
                 if (tables / "layers.csv").exists():
                     write_table(tables / "layer_statistics.csv", LAYER_STATISTICS, layer_statistics_rows(read_table(tables / "layers.csv")))
+                if (tables / "dampings.csv").exists():
+                    write_table(tables / "damping_statistics.csv", DAMPING_STATISTICS, damping_statistics_rows(read_table(tables / "dampings.csv")))
+                if (tables / "screening.csv").exists():
+                    write_table(tables / "screened.csv", SCREENED, [screened_row(read_table(tables / "screening.csv"))])
                 write_comparisons(tables / "first.csv", outcomes_by_arm(tables, "first_body_lengths"))
                 (tables / "proof.svg").write_text(draw(outcomes, read_table(tables / "progress.csv")), encoding="utf-8")
             case _:

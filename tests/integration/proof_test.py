@@ -3,10 +3,12 @@
 proof_test.py SOURCES: the folder of the sources.
 """
 
+import contextlib
 import csv
 import itertools
 import pathlib
 import random
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -88,6 +90,9 @@ class Studies(unittest.TestCase):
         self.assertEqual(texts["both"]["robust"], elements["robust"])
         self.assertEqual(texts["voxels_robust"]["robust"]["frictions"], elements["robust"]["frictions"])
         self.assertEqual(texts["both"]["elements"], elements["elements"])
+        self.assertEqual(texts["elements_45"]["population"], texts["both"]["population"], "without voxels, it is the search of both")
+        more = elements | {"seed": texts["elements_45"]["seed"], "population": elements["population"] | {"mutants": 45}}
+        self.assertEqual(texts["elements_45"], more, "and it is that of elements with more children")
         friction = texts["voxels"]["ground"]["static_friction"]
         self.assertEqual(sorted(elements["robust"]["frictions"])[1], friction, "voxels have the middle friction")
         judge = tomllib.loads((EXPERIMENT / "fine.toml").read_text())
@@ -99,6 +104,10 @@ class Studies(unittest.TestCase):
         loss = {"loss_factor": judge["robust"]["loss_factors"][0], "loss_frequency_Hz": 30}  # the one that [robust] assumes
         self.assertEqual(layers["material"], judge["material"] | loss)
         self.assertIn(layers["ground"]["static_friction"], judge["robust"]["frictions"])
+        dampings = tomllib.loads((EXPERIMENT / "dampings.toml").read_text())
+        assumed = judge["robust"]["loss_factors"][0]
+        self.assertTrue(min(dampings["robust"]["loss_factors"]) < assumed < max(dampings["robust"]["loss_factors"]))
+        self.assertEqual(dampings | {"robust": judge["robust"]}, judge, "all else is as fine.toml has it")
         self.assertEqual(layers["ground"]["static_friction"], layers["ground"]["kinetic_friction"])
         self.assertEqual(layers["elements"], {"kind": "three_field", "elements_through_wall": 2})
 
@@ -170,7 +179,7 @@ class Searches(unittest.TestCase):
         self.make("elements", 1, 0.07)
         taken = self.call("take", self.results, self.tables, "elements", 1)
         self.assertEqual(taken.returncode, 0, taken.stderr)
-        self.assertEqual(self.call("missing", self.tables, 1, EXPERIMENT / "size.toml").stdout.split(), ["voxels", "both", "voxels_robust"])
+        self.assertEqual(self.call("missing", self.tables, 1, EXPERIMENT / "size.toml").stdout.split(), ["voxels", "both", "voxels_robust", "elements_45"])
         self.assertEqual(self.call("missing", self.tables, 2, EXPERIMENT / "size.toml").stdout.split(), list(proof.ARMS))
         row, = table_of(self.tables / "outcomes.csv")
         self.assertEqual(row["best_body_lengths"], "0.07")
@@ -216,7 +225,7 @@ class Searches(unittest.TestCase):
     def test_tests_effects_and_picture(self):
         for seed in range(1, 6):
             for arm, best in (("voxels", 0.01 * seed), ("elements", 0.2 + 0.01 * seed), ("both", 0.15 + 0.02 * seed),
-                              ("voxels_robust", 0.1 + 0.01 * seed)):
+                              ("voxels_robust", 0.1 + 0.01 * seed), ("elements_45", 0.3 + 0.01 * seed)):
                 self.make(arm, seed, best)
                 self.assertEqual(self.call("take", self.results, self.tables, arm, seed).returncode, 0)
         summary = self.call("summary", self.tables)
@@ -225,6 +234,7 @@ class Searches(unittest.TestCase):
         self.assertAlmostEqual(float(rows["elements", "voxels"]["rank_sum_p"]), 2 / 252, 6)
         self.assertAlmostEqual(float(rows["elements", "voxels"]["holm_p"]), 3 * 2 / 252, 6)
         self.assertAlmostEqual(float(rows["elements", "voxels_robust"]["holm_p"]), 3 * 2 / 252, 6, "corrected apart from the planned ones")
+        self.assertAlmostEqual(float(rows["elements_45", "voxels"]["holm_p"]), 3 * 2 / 252, 6, "and so are these")
         self.assertEqual(float(rows["elements", "voxels"]["superiority"]), 1.0)
         self.assertEqual(rows["elements", "voxels"]["superiority_low"], "", "groups apart have no interval by resampling")
         self.assertNotEqual(rows["both", "elements"]["superiority_low"], "")
@@ -248,6 +258,30 @@ class Searches(unittest.TestCase):
             self.assertIn(colour, picture)
         self.call("summary", self.tables)
         self.assertEqual((self.tables / "proof.svg").read_text(), picture, "the same searches give the same bytes")
+
+    def test_what_screening_did_is_counted(self):
+        for seed in (1, 2):
+            self.make("both", seed, 0.3)
+            with contextlib.closing(sqlite3.connect(self.results / f"both_{seed}.sqlite")) as archive, archive:
+                archive.execute("CREATE TABLE screening (id INTEGER, generation INTEGER, outcome TEXT)")
+                archive.execute("CREATE TABLE contender (id INTEGER, generation INTEGER, survivor_rank INTEGER)")
+                outcomes = ["passed"] * 4 + ["drawn"] * 2 + ["left out"] * (2 * seed)
+                archive.executemany("INSERT INTO screening VALUES (?, 1, ?)", enumerate(outcomes))
+                # the first three survive, which passed, and the fifth, which was drawn; in the next generation all do
+                archive.executemany("INSERT INTO contender VALUES (?, 1, ?)", [(n, n if n in (0, 1, 2, 4) else None) for n in range(len(outcomes))])
+                archive.executemany("INSERT INTO contender VALUES (?, 2, 0)", [(n,) for n in range(len(outcomes))])
+                archive.execute("INSERT INTO screening VALUES (99, 0, 'passed')")  # of the first generation
+                archive.execute("INSERT INTO contender VALUES (99, 0, 0)")
+            taken = self.call("take", self.results, self.tables, "both", seed)
+            self.assertEqual(taken.returncode, 0, taken.stderr)
+        first = table_of(self.tables / "screening.csv")[0]
+        self.assertEqual([first[key] for key in proof.SCREENING[2:]], ["4", "2", "2", "3", "1"])
+        self.assertEqual(self.call("summary", self.tables).returncode, 0)
+        row, = table_of(self.tables / "screened.csv")
+        self.assertEqual((row["searches"], row["new_robots"], row["passed"], row["drawn"]), ("2", "18", "8", "4"))
+        self.assertAlmostEqual(float(row["left_out_share"]), 6 / 18, 5)
+        self.assertEqual([float(row[key]) for key in ("left_out_least", "left_out_largest")], [0.25, 0.4])
+        self.assertEqual((float(row["passed_survive_share"]), float(row["drawn_survive_share"])), (0.75, 0.5))
 
     def test_few_searches_are_not_compared(self):
         for seed in range(1, 6):
@@ -290,6 +324,27 @@ class Searches(unittest.TestCase):
         self.assertEqual((row["winners"], row["walking"], row["same_way"]), ("3", "2", "1"), "one fell, one went the other way")
         self.assertEqual((row["speed_ratio"], row["relative_speed_difference"]), ("0.65", "0.35"))
         self.assertEqual((row["smallest_ratio"], row["largest_ratio"]), ("0.5", "0.8"))
+
+    def test_the_best_robot_walks_at_other_dampings(self):
+        columns = "rank individual friction loss_factor body_lengths reason"
+        for seed, (slow, fallen) in ((1, (0.1, "")), (2, (0.15, "it fell"))):
+            self.make("both", seed, 0.2)
+            self.put(f"both_{seed}.fine.csv", "rank individual design cells phenotype score_body_lengths friction loss_factor dx_m dy_m body_lengths reason",
+                     [[1, 5, "b", 19, "101", 0.2, 0.4, 0.1, 0, 0.03, 0.2, ""], [1, 5, "b", 19, "101", 0.2, 0.8, 0.1, 0, 0.04, 0.5, ""]])
+            self.put(f"both_{seed}.dampings.csv", columns, [[1, 5, 0.4, 0.059, 0.3, ""], [1, 5, 0.8, 0.059, slow, fallen],
+                                                            [1, 5, 0.4, 0.146, 0.4, ""], [1, 5, 0.8, 0.146, 0.3, ""]])
+            self.put(f"both_{seed}.layers.csv", self.LAYERS, [[1, 5, 0.8, 0, 0.04, 0.5, ""]])
+            taken = self.call("take", self.results, self.tables, "both", seed)
+            self.assertEqual(taken.returncode, 0, taken.stderr)
+        rows = [row for row in table_of(self.tables / "dampings.csv") if row["seed"] == "1"]
+        self.assertEqual([(row["loss_factor"], float(row["body_lengths"])) for row in rows], [("0.059", 0.1), ("0.1", 0.2), ("0.146", 0.3)])
+        self.assertEqual(self.call("summary", self.tables).returncode, 0)
+        row, = table_of(self.tables / "damping_statistics.csv")
+        self.assertEqual((row["arm"], row["winners"], row["walking"]), ("both", "2", "1"), "one fell")
+        self.assertEqual(float(row["smallest_ratio"]), 0.0)
+        self.assertAlmostEqual(float(row["median_ratio"]), 1 / 6, 5)
+        self.put("both_1.dampings.csv", columns, [[1, 9, 0.4, 0.059, 0.3, ""]])
+        self.assertIn("has no walk of individual 5", self.call("take", self.results, self.tables, "both", 1).stderr)
 
     def test_winners_that_all_fall_on_two_layers_are_counted(self):
         self.make("both", 1, 0.07)

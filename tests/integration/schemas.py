@@ -24,7 +24,7 @@ import wrong_studies
 # Which program reads which studies. Every .toml below these folders is named here or in OTHERS.
 STUDIES = {
     "evolve": ["paper/demo/study.toml", "paper/demo/silicone.toml", "paper/discrepancies/population.toml", "paper/fractal/*.toml", "paper/known_walks/search*.toml", "paper/non_fractal/*.toml",
-               "paper/phase_wave/*.toml", "paper/proof/both.toml", "paper/proof/elements.toml", "paper/proof/fine.toml",
+               "paper/phase_wave/*.toml", "paper/proof/both.toml", "paper/proof/dampings.toml", "paper/proof/elements*.toml", "paper/proof/fine.toml",
                "paper/proof/two_layers.toml", "paper/proof/voxels.toml", "paper/proof/voxels_robust.toml", "paper/scale_invariance/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
                "paper/trade_off/evolve.toml", "paper/walkers/robust.toml", "paper/walkers/screened.toml",
                "paper/walkers/study.toml"],
@@ -43,7 +43,7 @@ STUDIES = {
     "tradeoff": ["paper/trade_off/study.toml", "paper/trade_off/search.toml"],
 }
 # Designs, sizes of an experiment, changes of a study, the presets of evolve, and what programs wrote.
-OTHERS = ["fem/studies/*_design.toml", "paper/discrepancies/variants.toml", "paper/proof/*size.toml", "paper/trade_off/inchworm.toml", "paper/presets/*.toml"]
+OTHERS = ["fem/studies/*_design.toml", "paper/discrepancies/variants.toml", "paper/proof/*size.toml", "paper/proof/voxels.parameters.toml", "paper/trade_off/inchworm.toml", "paper/presets/*.toml"]
 FOLDERS = ["fem/studies", "paper", "voxel/scenes", "voxel/studies"]
 # Programs whose readers get a sample of the wrong studies. That of menger reevaluate needs the archive of a search.
 READS_AT_ONCE = [command for command in STUDIES if command != "reevaluate"]
