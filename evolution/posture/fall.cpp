@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -19,16 +18,13 @@
 #include "io/text/is_file.h"
 #include "io/vtk/collection.h"
 #include "meshes/load_cases/body_extents.h"
+#include "meshes/load_cases/lean.h"
 
 namespace menger::evolution {
 namespace {
 
 namespace fs = std::filesystem;
 using Place = std::array<double, 3>;
-
-Place cross(const Place& a, const Place& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// How a body stands, by the ends that it has in its first frame.
 class Posture {
@@ -112,9 +108,7 @@ std::optional<Fall> first_fall(const fs::path& folder, const std::vector<io::Col
   const Place first = posture.upright(folder / frames[1].file);
   for (std::size_t n = 2; n < frames.size(); ++n) {
     const Place now = posture.upright(folder / frames[n].file);
-    const Place across = cross(first, now);
-    const double along = first[0] * now[0] + first[1] * now[1] + first[2] * now[2];
-    const double lean_deg = 180.0 / std::numbers::pi * std::atan2(std::hypot(across[0], across[1], across[2]), along);
+    const double lean_deg = meshes::angle_between_deg(first, now);
     if (lean_deg > largest_lean_deg) return Fall{.time_s = frames[n].time_s, .lean_deg = lean_deg};
   }
   return std::nullopt;

@@ -36,7 +36,7 @@ struct ComparedSearch {
 
 /// What decides a comparison besides the results.
 struct ComparisonOptions {
-  double voxel_steps_per_element_step = 2.6;  ///< cost of an element-step in voxel-steps
+  double voxel_steps_per_element_step = Budget{}.voxel_steps_per_element_step;  ///< cost of an element-step in voxel-steps
 
   /// Budget of re-evaluations. The first robot that exceeds it does not count, nor do the robots behind it.
   double budget_element_steps = std::numeric_limits<double>::infinity();

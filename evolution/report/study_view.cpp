@@ -15,9 +15,11 @@ namespace menger::evolution {
 
 namespace {
 
+/// Voxels that screen do not tell falls: finite elements decide whether a body has fallen.
 std::unique_ptr<DesignEvaluator> voxels_of(const Study& study) {
   return std::make_unique<VoxelEvaluator>(study.physics, study.search.cell_edge_m, study.duration_s, study.measure_from_s,
-                                          measured_periods(study), study.device);
+                                          measured_periods(study), study.device,
+                                          study.model == EvaluationModel::voxels ? study.largest_lean_deg : 180.0);
 }
 
 bool are_halved(const Study& study) { return study.search.screening && study.search.screening->by == Screener::half_walks; }

@@ -135,9 +135,7 @@ std::optional<double> walked_body_lengths(const Study& study, double fitness) {
   return measured ? fitness * study.duration_s / measured->period_s : fitness;
 }
 
-bool tells_falls(const Study& study) {
-  return uses_elements(study) && study.measure == Measure::last_periods && study.largest_lean_deg < 180.0;
-}
+bool tells_falls(const Study& study) { return study.measure == Measure::last_periods && study.largest_lean_deg < 180.0; }
 
 Distinction distinction_of(const Study& study) {
   const voxel::ActuationMode mode = study.physics.actuation.mode;

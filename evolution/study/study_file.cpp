@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 
 #include "evolution/study/scenarios.h"
 #include "evolution/study/walk_evaluator.h"
 #include "fem/walk/walk_silicone_file.h"
+#include "io/study/installed_folders.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
 #include "io/text/formatted.h"
@@ -167,12 +170,10 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   visitor.only_if(study.measure == Measure::last_periods, "measure = \"last_periods\"", [&] {
     visitor.integer({"measure_periods", "Number of the last whole periods that count. With fewer than 5, a fall would count."},
                     study.measure_periods, io::at_least(fewest_measured_periods));
-    visitor.only_if(uses_elements(study), "model = \"finite_elements\" or \"both\"", [&] {
-      visitor.number({"largest_lean_deg",
-                      "A body whose upright axis, at the end of a period, leans more than this from where it was at the end of "
-                      "the first has fallen and has no fitness. 180: none has."},
-                     study.largest_lean_deg, {.lowest = 0.0, .highest = 180.0, .lowest_excluded = true});
-    });
+    visitor.number({"largest_lean_deg",
+                    "A body whose upright axis, at the end of a period, leans more than this from where it was at the end of "
+                    "the first has fallen and has no fitness. 180: none has. With model = \"both\" finite elements tell."},
+                   study.largest_lean_deg, {.lowest = 0.0, .highest = 180.0, .lowest_excluded = true});
   });
   describe_which_walk(visitor, study);
   visitor.only_if(part == Part::whole && uses_elements(study), "model = \"finite_elements\" or \"both\"", [&] {
@@ -452,18 +453,32 @@ std::string unusable_surrogate(const Study& study) {
   return undrivable_modules(study);
 }
 
+/// Says where parameters of voxels for the silicone and the cells of a study come from: a name that menger has, or the command
+/// that fits them.
+std::string source_of_parameters(const Study& study) {
+  constexpr double rounding = 1e-9;
+  const std::string law = materials::law_line(study.silicone.silicone.law.law);
+  for (const std::filesystem::path& file : io::data_files(io::parameter_data)) {
+    const io::TomlTable subject = io::read_toml(file).table("holds_for");
+    const double cell_edge_m = subject.number("cell_edge_m");
+    if (subject.text("law") == law && std::abs(cell_edge_m - study.search.cell_edge_m) <= rounding * cell_edge_m)
+      return "; menger comes with some: parameters = " + io::toml_quoted(file.stem().string());
+  }
+  return "; menger loop fits some: menger init NAME, then this silicone and these cells in NAME/robot.toml, then menger loop "
+         "NAME/robot.toml --until calibrate";
+}
+
 /// Returns why voxels cannot screen the bodies of a study, or an empty text.
 std::string unusable_screening(const Study& study) {
   if (study.model != EvaluationModel::both) return "";
   const std::string given = "evaluation.model = \"both\": ";
-  const std::string make =
-      "; menger load-cases SET.toml -o curves and menger calibrate STUDY.toml --curves curves make parameters";
-  if (!study.physics.surrogate) return given + "needs parameters of voxels for this silicone, as [surrogate] parameters" + make;
+  if (!study.physics.surrogate)
+    return given + "needs parameters of voxels for this silicone, as [surrogate] parameters" + source_of_parameters(study);
   const std::string& calibrated = study.physics.surrogate->parameters.law;
   const std::string law = materials::law_line(study.silicone.silicone.law.law);
   if (law == calibrated) return "";
   return given + "the parameters of [surrogate] are for " + io::toml_quoted(calibrated) + ", the silicone of [material] is " +
-         io::toml_quoted(law) + make;
+         io::toml_quoted(law) + source_of_parameters(study);
 }
 
 /// Returns why bodies of the levels of a study cannot walk on finite elements, or an empty text.
@@ -618,7 +633,7 @@ Study archived_study(const RunArchive& archive) {
   io::read_described(table, study, io::StudyReader::EarlierNames::read);
   // Walks of archives without this key were measured whether or not the body had fallen.
   const bool tells_falls = table.table_or_empty("evaluation").has("largest_lean_deg");
-  if (uses_elements(study) && study.measure == Measure::last_periods && !tells_falls) study.largest_lean_deg = 180.0;
+  if (study.measure == Measure::last_periods && !tells_falls) study.largest_lean_deg = 180.0;
   study.search.generations = archive.generation_goal();
   return study;
 }

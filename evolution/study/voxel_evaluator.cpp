@@ -11,10 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "evolution/study/fallen.h"
 #include "io/text/joined_text.h"
 #include "io/text/number_text.h"
 #include "voxel/device/device_steps.h"
 #include "voxel/device/robot_runner.h"
+#include "voxel/lanes/body_posture.h"
 #include "voxel/lanes/lane_packing.h"
 #include "voxel/lanes/lanes.h"
 #include "voxel/lanes/simulation.h"
@@ -64,13 +66,14 @@ io::RunStatus advance_shared(voxel::Simulation& simulation, double time_s, const
 }  // namespace
 
 VoxelEvaluator::VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s,
-                               std::optional<LastPeriods> last, io::Device device)
+                               std::optional<LastPeriods> last, io::Device device, double largest_lean_deg)
     : physics_(physics),
       cell_edge_m_(cell_edge_m),
       duration_s_(duration_s),
       measure_from_s_(measure_from_s),
       last_(last),
-      device_(device) {
+      device_(device),
+      largest_lean_deg_(largest_lean_deg) {
   assert(measure_from_s >= 0.0 && measure_from_s < duration_s);
 }
 
@@ -121,9 +124,17 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
   return evaluations;
 }
 
-/// Advances the simulations period by period and writes the displacement in each into the results.
+double VoxelEvaluator::voxel_edge_m() const {
+  return physics_.surrogate ? cell_edge_m_ / physics_.surrogate->parameters.voxels_per_cell : cell_edge_m_;
+}
+
+/// Advances the simulations period by period and writes the displacement in each into the results, and how far bodies lean.
 void VoxelEvaluator::walk_periods(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const {
-  auto& [simulations, results, on_processor] = walkers;
+  auto& [simulations, results, on_processor, leans] = walkers;
+  std::vector<voxel::BodyPosture> postures;
+  if (tells_falls())
+    for (const voxel::Simulation& simulation : simulations) postures.emplace_back(simulation, voxel_edge_m());
+  std::vector<std::vector<std::array<double, 3>>> upright_axes(postures.size());
   std::vector<std::array<double, 3>> before_m = centres_of_mass_m(simulations);
   const std::size_t count = whole_periods(duration_s_, last_->period_s);
   for (std::size_t n = 1; n <= count; ++n) {
@@ -132,13 +143,16 @@ void VoxelEvaluator::walk_periods(Walkers& walkers, const std::atomic<bool>& sto
     const std::vector<std::array<double, 3>> now_m = centres_of_mass_m(simulations);
     for (std::size_t i = 0; i < simulations.size(); ++i)
       results[i]->period_displacements_m.push_back(difference(now_m[i], before_m[i]));
+    for (std::size_t i = 0; i < postures.size(); ++i)
+      if (!simulations[i].divergence()) upright_axes[i].push_back(postures[i].upright_axis(simulations[i]));
     before_m = now_m;
   }
+  for (const std::vector<std::array<double, 3>>& axes : upright_axes) leans.push_back(meshes::largest_lean(axes));
 }
 
 /// Advances the simulations to the end and writes the outcomes into the results.
 void VoxelEvaluator::walk(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const {
-  auto& [simulations, results, on_processor] = walkers;
+  auto& [simulations, results, on_processor, leans] = walkers;
   const std::vector<std::array<double, 3>> start_m = centres_of_mass_m(simulations);
   // Simulations that have diverged or stopped here stay so.
   if (last_)
@@ -154,8 +168,11 @@ void VoxelEvaluator::walk(Walkers& walkers, const std::atomic<bool>& stop, const
     if (result.status == io::RunStatus::completed) {
       result.displacement_m = last_ ? steady_displacement_m(result.period_displacements_m, *last_)
                                     : difference(simulation.centre_of_mass_m(), from_m[i]);
-      if (last_)
-        result.left_out_m = difference(difference(simulation.centre_of_mass_m(), start_m[i]), result.displacement_m.value());
+      const std::array<double, 3> whole_m = difference(simulation.centre_of_mass_m(), start_m[i]);
+      if (tells_falls() && leans[i].angle_deg > largest_lean_deg_)
+        set_fallen(leans[i], whole_m, result);
+      else if (last_)
+        result.left_out_m = difference(whole_m, result.displacement_m.value());
       else if (measure_from_s_ > 0.0)
         result.left_out_m = difference(from_m[i], start_m[i]);
     } else {
@@ -197,6 +214,7 @@ std::string VoxelEvaluator::physics() const {
   std::string text = "duration_s = " + io::number_text(duration_s_) + "\n";
   if (measure_from_s_ > 0.0) text += "measure_from_s = " + io::number_text(measure_from_s_) + "\n";
   if (last_) text += "measure_periods = " + std::to_string(last_->count) + "\n";
+  if (tells_falls()) text += "largest_lean_deg = " + io::number_text(largest_lean_deg_) + "\n";
   if (device_ != io::Device::cpu) text += "device = \"" + std::string(to_string(device_)) + "\"\n";
   return text + "cell_edge_m = " + io::number_text(cell_edge_m_) + "\n" + voxel::physics_text(physics_);
 }

@@ -9,6 +9,7 @@
 
 #include "evolution/evaluation/evaluator.h"
 #include "io/device/graphics_processor.h"
+#include "meshes/load_cases/lean.h"
 #include "voxel/lanes/simulation.h"
 #include "voxel/model/parameters.h"
 
@@ -31,8 +32,10 @@ class VoxelEvaluator final : public DesignEvaluator {
   /// while the drive begins
   /// @param last periods that are measured instead of the net displacement
   /// @param device that evaluates; see io::obstacle_to_device
+  /// @param largest_lean_deg a body whose last periods are measured and that leans more (meshes::largest_lean) has `fell`, and no
+  /// displacement: all of it is left out. 180: none has
   VoxelEvaluator(const voxel::Physics& physics, double cell_edge_m, double duration_s, double measure_from_s = 0.0,
-                 std::optional<LastPeriods> last = {}, io::Device device = io::Device::cpu);
+                 std::optional<LastPeriods> last = {}, io::Device device = io::Device::cpu, double largest_lean_deg = 180.0);
 
   [[nodiscard]] Evaluation evaluate(const meshes::Polycube& body, int level, const std::atomic<bool>& stop) const override;
   [[nodiscard]] std::vector<Evaluation> evaluate_together(std::span<const EvaluationTask* const> tasks,
@@ -52,8 +55,11 @@ class VoxelEvaluator final : public DesignEvaluator {
     std::vector<voxel::Simulation> simulations;
     std::vector<Evaluation*> results;  ///< per simulation
     std::vector<bool> on_processor;    ///< per simulation: the device left it to the processor
+    std::vector<meshes::Lean> leans;   ///< per simulation, if falls are told
   };
 
+  [[nodiscard]] bool tells_falls() const { return last_ && largest_lean_deg_ < 180.0; }
+  [[nodiscard]] double voxel_edge_m() const;
   std::vector<io::RunStatus> advance(Walkers& walkers, double time_s, const std::atomic<bool>& stop,
                                      const ThreadsNow& threads) const;
   void walk_periods(Walkers& walkers, const std::atomic<bool>& stop, const ThreadsNow& threads) const;
@@ -65,6 +71,7 @@ class VoxelEvaluator final : public DesignEvaluator {
   double measure_from_s_;
   std::optional<LastPeriods> last_;
   io::Device device_;
+  double largest_lean_deg_;
   mutable std::atomic<std::size_t> on_processor_{0};  ///< bodies that the device left to the processor
 };
 

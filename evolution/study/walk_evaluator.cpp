@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "evolution/study/fallen.h"
 #include "evolution/study/half_walk_evaluator.h"
 #include "fem/walk/walk_input_error.h"
 #include "fem/walk/walk_silicone_file.h"
 #include "io/study/study_text.h"
-#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_text.h"
@@ -46,23 +45,6 @@ fem::DriveMode drive_mode(voxel::ActuationMode mode) {
 
 std::array<double, 3> minus(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// Sets the result of a walk in which the body has fallen. Where it got counts for nothing, but is kept. An axis that is not a
-/// number leans infinitely: then no place is known.
-void set_fallen(const fem::Lean& lean, const std::array<double, 3>& whole_m, Evaluation& result) {
-  const std::string period = std::to_string(lean.period);
-  result.displacement_m.reset();
-  if (std::isinf(lean.angle_deg)) {
-    result.status = io::RunStatus::diverged;
-    result.period_displacements_m.clear();
-    result.reason = "the upright axis of the body is not a number at the end of period " + period + " or of the first";
-    return;
-  }
-  result.status = io::RunStatus::fell;
-  result.left_out_m = whole_m;
-  result.reason = "the body has fallen: at the end of period " + period + " it leans by " +
-                  io::formatted("%.0f", lean.angle_deg) + " degrees from where it was at the end of the first";
 }
 
 /// Returns the number of faces of cells that lie outside.
@@ -146,7 +128,7 @@ void measure(const Study& study, const fem::WalkResult& walk, Evaluation& result
   result.period_displacements_m = fem::period_displacements_m(walk, study.physics.actuation.period_s());
   result.displacement_m = whole_m;
   if (const auto last = measured_periods(study)) {
-    const fem::Lean lean = fem::largest_lean(walk, last->period_s);
+    const meshes::Lean lean = fem::largest_lean(walk, last->period_s);
     if (lean.angle_deg > study.largest_lean_deg) return set_fallen(lean, whole_m, result);
     result.displacement_m = steady_displacement_m(result.period_displacements_m, *last);
     if (!result.displacement_m) {

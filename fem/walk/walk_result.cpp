@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <vector>
 
 #include "meshes/load_cases/observables.h"
 
@@ -55,20 +55,12 @@ const WalkRecord& record_near(const WalkResult& result, double time_s) {
 
 }  // namespace
 
-Lean largest_lean(const WalkResult& result, double period_s) {
-  Lean largest;
+meshes::Lean largest_lean(const WalkResult& result, double period_s) {
+  std::vector<Point> upright_axes;
   const std::size_t count = count_of_periods(result, period_s);
-  if (count < 2) return largest;
-  const double start_s = result.records.front().time_s;
-  const Point first = record_near(result, start_s + period_s).upright;
-  for (std::size_t n = 2; n <= count; ++n) {
-    const Point now = record_near(result, start_s + static_cast<double>(n) * period_s).upright;
-    // the heights of both axes would not tell a body that leans to the other side
-    const double angle_deg = 180.0 / std::numbers::pi * std::abs(std::atan2(norm(cross(first, now)), dot(first, now)));
-    if (std::isnan(angle_deg)) return {std::numeric_limits<double>::infinity(), n};
-    if (angle_deg > largest.angle_deg) largest = {angle_deg, n};
-  }
-  return largest;
+  for (std::size_t n = 1; n <= count; ++n)
+    upright_axes.push_back(record_near(result, result.records.front().time_s + static_cast<double>(n) * period_s).upright);
+  return meshes::largest_lean(upright_axes);
 }
 
 std::vector<Point> period_displacements_m(const WalkResult& result, double period_s) {

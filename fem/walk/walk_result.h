@@ -9,6 +9,7 @@
 #include "fem/motion/motion_energy.h"
 #include "fem/surfaces/point.h"
 #include "io/text/run_status.h"
+#include "meshes/load_cases/lean.h"
 
 namespace menger::fem {
 
@@ -60,17 +61,9 @@ double peak_height_m(const WalkResult& result);
 /// Precondition: there is a record.
 Point centre_of_mass_at(const WalkResult& result, double time_s);
 
-/// How far a body leans.
-struct Lean {
-  double angle_deg = 0.0;
-  std::size_t period = 1;  ///< at whose end, counted from 1
-};
-
-/// Returns the largest angle between the upright axis of a body at the end of a whole period and that at the end of the first. At
-/// these times the drive is alike, so that a body that keeps its posture leans by 0, however it is deformed in between. Turning
-/// about the vertical is no lean. Infinite, at the first such period, if an axis is not a number.
+/// Returns how far a body leans at the end of a whole period of its walk, see meshes::largest_lean.
 /// @param period_s > 0, a multiple of the interval of the records
-Lean largest_lean(const WalkResult& result, double period_s);
+meshes::Lean largest_lean(const WalkResult& result, double period_s);
 
 /// Returns the displacement of the centre of mass in each whole period since the start, as far as the records go. Exact where
 /// the interval of the records divides the period, see centre_of_mass_at.

@@ -54,6 +54,14 @@ LossData read_loss(const io::TomlTable& table) {
   return loss_data(read_filled(table, "source"), std::move(points));
 }
 
+PublishedFriction read_friction(const io::TomlTable& table) {
+  PublishedFriction friction{.source = read_filled(table, "source"),
+                             .lowest = table.number("lowest", io::non_negative()),
+                             .highest = table.number("highest", io::non_negative())};
+  if (friction.highest < friction.lowest) throw table.error("highest", "must not be less than lowest");
+  return friction;
+}
+
 }  // namespace
 
 std::vector<LossPoint> LossData::points() const {
@@ -86,6 +94,7 @@ SiliconeRecord read_silicone(const std::filesystem::path& file) {
   for (const io::TomlTable& other : table.optional_tables("others")) record.others.push_back(read_sourced_law(other));
   record.not_measured = table.texts("not_measured");
   if (const auto loss = table.optional_table("loss")) record.loss = read_loss(*loss);
+  if (const auto friction = table.optional_table("friction")) record.friction = read_friction(*friction);
   const bool is_missing =
       std::find(record.not_measured.begin(), record.not_measured.end(), "damping") != record.not_measured.end();
   if (record.loss && is_missing) throw table.error("not_measured", "contains damping, but there is a table [loss]");

@@ -54,15 +54,24 @@ struct LossData {
 /// Returns data of several frequencies. Precondition: there is one at least, and they ascend.
 LossData loss_data(std::string source, std::vector<LossPoint> points);
 
+/// The friction that is published of silicones in general, static or kinetic, on dry ground. It depends on the ground, the load
+/// and the dust on the silicone, so that it is to be measured on the ground at hand.
+struct PublishedFriction {
+  std::string source;
+  double lowest = 0.0;  ///< coefficient, >= 0
+  double highest = 0.0;
+};
+
 /// A silicone: a file of materials/data, in which every number has a source.
 struct SiliconeRecord {
   std::string name;
   DataSheet data_sheet;
   /// The law with the most reliable stiffness at moderate strain.
   SourcedLaw recommended;
-  std::vector<SourcedLaw> others;         ///< fits of tests and published constants: shape of the curve, bounds of the stiffness
-  std::optional<LossData> loss;           ///< nothing if damping was not measured
-  std::vector<std::string> not_measured;  ///< quantities for which no number with a source is known
+  std::vector<SourcedLaw> others;  ///< fits of tests and published constants: shape of the curve, bounds of the stiffness
+  std::optional<LossData> loss;    ///< nothing if damping was not measured
+  std::optional<PublishedFriction> friction;  ///< of silicones; that of this one is not measured
+  std::vector<std::string> not_measured;      ///< quantities for which no number with a source is known
 };
 
 /// Reads a record. @throws io::InputError with file, key and value for wrong input

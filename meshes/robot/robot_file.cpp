@@ -205,11 +205,10 @@ void describe_search(io::StudyVisitor& visitor, RobotSearch& search) {
       search.measure, io::words_of(RobotMeasure::last_periods, RobotMeasure::net_displacement));
   visitor.boolean({"robust",
                    "Whether a robot counts as much as in the worst of several frictions and losses of silicone, of which none is "
-                   "measured. Only on finite elements; six times the work."},
+                   "measured. Only where finite elements decide; six times the work."},
                   search.robust);
-  visitor.check(
-      !search.robust || (search.model == RobotSearchModel::finite_elements && search.measure == RobotMeasure::last_periods),
-      "robust", "needs model = \"finite_elements\" and measure = \"last_periods\"");
+  visitor.check(!search.robust || (search.model != RobotSearchModel::voxels && search.measure == RobotMeasure::last_periods),
+                "robust", "needs model = \"finite_elements\" or \"both\", and measure = \"last_periods\"");
   visitor.integer({"generations", "Generations after the first."}, search.generations, io::non_negative());
   visitor.integer({"survivors", "Robots that survive a generation."}, search.survivors, io::within(1, 1e6));
   visitor.integer(

@@ -66,8 +66,10 @@ TEST_F(ScreenedStudy, IsRefusedWithoutParametersForTheSilicone) {
   std::string text = tests::walking_study_text();
   text.replace(text.find("\"finite_elements\""), 17, "\"both\"");
   expect_refused(text, "evaluation.model = \"both\": needs parameters of voxels for this silicone");
-  expect_refused(text, "menger load-cases SET.toml -o curves and menger calibrate");
-  expect_refused(screened("", "[material]\nsilicone = \"ecoflex_00_30\"\n"), "the silicone of [material] is");
+  expect_refused(text, "menger comes with some: parameters = \"dragon_skin_10_1cm\"");
+  const std::string other = screened("", "[material]\nsilicone = \"ecoflex_00_30\"\n");
+  expect_refused(other, "the silicone of [material] is");
+  expect_refused(other, "menger loop NAME/robot.toml --until calibrate");
   expect_refused(screened("drawn_share = 0\n"), "drawn_share = 0");
   expect_refused(screened("least_passing_share = 2\n"), "least_passing_share = 2");
   expect_refused("preset = \"paper\"\n[evaluation]\ndrawn_share = 0.2\n", "belongs to model = \"both\"");

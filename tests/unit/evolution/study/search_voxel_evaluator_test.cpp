@@ -104,6 +104,35 @@ TEST(VoxelEvaluator, OneThatDivergesBeforeItCountsHasNothingLeftOut) {
   EXPECT_FALSE(result.left_out_m);
 }
 
+TEST(VoxelEvaluator, ABodyThatFallsHasNoDisplacement) {
+  const meshes::Polycube gallows = meshes::Polycube::from_digits(4, 1, 5, "10001000100010001111");
+  const LastPeriods last{.period_s = 0.02, .count = 5};  // it stands at the end of the first, and has fallen after some
+  const VoxelEvaluator tells({}, 0.01, 2.0, 0.0, last, io::Device::cpu, 45.0);
+  const Evaluation fallen = tells.evaluate(gallows, 1, not_stopped);
+  EXPECT_EQ(fallen.status, io::RunStatus::fell);
+  EXPECT_FALSE(fallen.displacement_m);
+  EXPECT_NE(fallen.reason.find("the body has fallen: at the end of period "), std::string::npos) << fallen.reason;
+  EXPECT_GE(fallen.period_displacements_m.size(), 5U) << "it is known where it went";
+  const VoxelEvaluator silent({}, 0.01, 2.0, 0.0, last);
+  const Evaluation went = silent.evaluate(gallows, 1, not_stopped);
+  EXPECT_EQ(went.status, io::RunStatus::completed);
+  EXPECT_EQ(went.period_displacements_m, fallen.period_displacements_m);
+  ASSERT_TRUE(went.displacement_m && went.left_out_m && fallen.left_out_m);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR((*fallen.left_out_m)[axis], (*went.displacement_m)[axis] + (*went.left_out_m)[axis], 1e-15) << "all is left out";
+  EXPECT_NE(tells.physics().find("largest_lean_deg = 45\n"), std::string::npos) << tells.physics();
+  EXPECT_EQ(silent.physics().find("largest_lean_deg"), std::string::npos) << "results of earlier versions are found";
+  // One that stands has the same result either way, alone and among others.
+  const Evaluation stands = tells.evaluate(quadruped(), 1, not_stopped);
+  EXPECT_EQ(stands.status, io::RunStatus::completed);
+  EXPECT_EQ(stands.displacement_m, silent.evaluate(quadruped(), 1, not_stopped).displacement_m);
+  const EvaluationTask tasks[] = {{gallows, 1}, {quadruped(), 1}};
+  const EvaluationTask* const both[] = {&tasks[0], &tasks[1]};
+  const std::vector<Evaluation> together = tells.evaluate_together(both, not_stopped, one_thread);
+  EXPECT_EQ(together[0].status, io::RunStatus::fell);
+  EXPECT_EQ(together[1].displacement_m, stands.displacement_m);
+}
+
 /// Returns bodies on one grid, some of them equal in shape, as in a generation.
 std::vector<EvaluationTask> generation() {
   std::vector<EvaluationTask> tasks;

@@ -112,6 +112,10 @@ TEST_F(SiliconeStudy, ConfirmationIsNoPartOfTheIdentityAndTheLeanIs) {
   expect_refused(walking_study_text("largest_lean_deg = 60\n"), "belongs to measure = \"last_periods\"");
   expect_refused(changed("confirm = 0", "confirm = -1"), "evaluation.confirm = -1");
   expect_refused("preset = \"paper\"\n[evaluation]\nconfirm = 1\n", "belongs to model = \"finite_elements\" or \"both\"");
+  // Voxels tell falls, too.
+  const Study of_voxels = read("preset = \"paper\"\n[evaluation]\n" + last);
+  EXPECT_EQ(of_voxels.largest_lean_deg, 45.0);
+  EXPECT_NE(evaluator_of(of_voxels)->physics().find("largest_lean_deg = 45\n"), std::string::npos);
   // An archive from before bodies could fall.
   std::string text = identity_text(study);
   const std::string line = "largest_lean_deg = 45\n";

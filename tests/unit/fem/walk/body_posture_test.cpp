@@ -73,7 +73,7 @@ WalkResult leaning(const std::vector<double>& angles_deg) {
 }
 
 TEST(LargestLean, IsThatFromTheEndOfTheFirstPeriod) {
-  const Lean lean = largest_lean(leaning({20.0, 25.0, -40.0, 0.0}), 1.0);
+  const meshes::Lean lean = largest_lean(leaning({20.0, 25.0, -40.0, 0.0}), 1.0);
   EXPECT_NEAR(lean.angle_deg, 60.0, 1e-9);
   EXPECT_EQ(lean.period, 3U);
   EXPECT_NEAR(largest_lean(leaning({80.0, 80.0, 80.0}), 1.0).angle_deg, 0.0, 1e-6) << "it fell before the first period ended";
@@ -84,7 +84,7 @@ TEST(LargestLean, IsThatFromTheEndOfTheFirstPeriod) {
 
 TEST(LargestLean, IsInfiniteWhereAnAxisIsNotANumber) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const Lean lean = largest_lean(leaning({20.0, 25.0, none, 30.0}), 1.0);
+  const meshes::Lean lean = largest_lean(leaning({20.0, 25.0, none, 30.0}), 1.0);
   EXPECT_EQ(lean.angle_deg, std::numeric_limits<double>::infinity());
   EXPECT_EQ(lean.period, 3U);
   EXPECT_EQ(largest_lean(leaning({none, 25.0}), 1.0).angle_deg, std::numeric_limits<double>::infinity());

@@ -134,6 +134,9 @@ TEST(SiliconeRecord, SaysWhatWasNotMeasured) {
       return std::ranges::find(record.not_measured, quantity) != record.not_measured.end();
     };
     EXPECT_TRUE(is_missing("friction")) << file;
+    ASSERT_TRUE(record.friction) << file << ": what is published of silicones";
+    EXPECT_LT(record.friction->lowest, record.friction->highest) << file;
+    EXPECT_NE(record.friction->source.find("doi"), std::string::npos) << file;
     EXPECT_EQ(is_missing("damping"), file != "ecoflex_00_30") << file;
     EXPECT_EQ(record.loss.has_value(), file == "ecoflex_00_30") << file;
   }
@@ -155,6 +158,13 @@ TEST(SiliconeRecord, RefusesWrongValuesWithFileAndKey) {
       "source = \"Smooth-On, technical bulletin of the Dragon Skin series, as quoted in a public repository\"", "source = \"\"");
   EXPECT_NE(source.find("data_sheet.source = \"\": must not be empty"), std::string::npos) << source;
   EXPECT_NE(refusal("[data_sheet]\n", "[data_sheet]\ncolour = \"white\"\n").find("colour: unknown key"), std::string::npos);
+}
+
+TEST(SiliconeRecord, RefusesAWrongRangeOfFriction) {
+  const std::string order = refusal("lowest = 0.25", "lowest = 1.25");
+  EXPECT_NE(order.find("friction.highest = 1: must not be less than lowest"), std::string::npos) << order;
+  const std::string sign = refusal("lowest = 0.25", "lowest = -0.25");
+  EXPECT_NE(sign.find("friction.lowest = -0.25: must be >= 0"), std::string::npos) << sign;
 }
 
 TEST(SiliconeRecord, ReadsLossDataWhereThereAreAny) {
