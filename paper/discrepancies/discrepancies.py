@@ -3,7 +3,12 @@
 
 discrepancies.py study VARIANT OUT.toml         writes the study of a variant
 discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what menger export wrote
-discrepancies.py summary                        makes statistics.csv, conclusions.csv and discrepancies.svg of the variants that there are
+discrepancies.py summary                        makes the tables and discrepancies.svg of the variants that there are:
+                                                statistics.csv   their fitness against that of the text
+                                                changes.csv      where robots end, by scale
+                                                failures.csv     which walks failed
+                                                conclusions.csv  what the paper concludes, by variant
+                                                verdicts.csv     which of these conclusions a variant turns
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -11,22 +16,28 @@ Exit codes: 0 done, 2 wrong input.
 import json
 import pathlib
 import sys
+from collections import Counter
+from dataclasses import dataclass
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import bootstrap, rank_correlation, share, spearman  # noqa: E402
+from sample_statistics import bootstrap, median, rank_correlation, share, spearman  # noqa: E402
+from scale_invariance import angle_and_factor, carries_over  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 ROBOTS = 500
-LEVELS = (1, 2)
 CELL_EDGE_M = 0.01
+DURATION_S = 5.0  # of the paper's text
 LEAST_BODY_LENGTHS = 0.1  # in 5 s; whoever goes less stands still, and has no way that could change
 TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten
+SPONGE_CELLS = (16, 19)  # those of a Hausdorff dimension of 2.5 to 2.7, as half of the paper's champions have
+# What a variant is, in the order of tables and of the figure.
+KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "sensitivity": "sensitivity, no difference"}
 
 
 def variants():
@@ -38,6 +49,14 @@ def variant(name):
     if found is None:
         raise InputError(f"{HERE / 'variants.toml'}: there is no variant {name}; there are {', '.join(variants())}")
     return found
+
+
+def duration_s(name):
+    return float(variant(name).get("keys", {}).get("time", {}).get("duration_s", DURATION_S))
+
+
+def cells_per_side(level):
+    return 3**level
 
 
 def study_text(name):
@@ -65,27 +84,31 @@ def first_of_each_body(rows):
 
 
 def take(source, name):
-    """A table of where the robots of a variant end."""
+    """A table of where the robots of a variant end, and of how their walks ended, where the source tells."""
     variant(name)
-    rows = []
-    for row in first_of_each_body(read_table(source)):
-        ends = []
-        for level in LEVELS:
-            ends += [cell(float(end), 6) if end else "" for end in (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"])]
-        rows.append([row["individual"], row["phenotype"], *ends])
-    write_table(HERE / "walks" / f"{name}.csv",
-                ["individual", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")], rows)
+    levels = read_toml(HERE / "population.toml")["body"]["levels"]
+    chosen = first_of_each_body(read_table(source))
+    columns = ["individual", "phenotype"]
+    for level in levels:
+        columns += [column for column in (f"level_{level}_status",) if column in chosen[0]] + [f"level_{level}_dx_m", f"level_{level}_dy_m"]
+    rows = [{column: cell(float(row[column]), 6) if column.endswith("_m") and row[column] else row[column] for column in columns} for row in chosen]
+    write_table(HERE / "walks" / f"{name}.csv", columns, rows)
 
 
 class Walks:
     """Where the robots of a variant end, in metres, by level; not a number where a walk failed."""
 
     def __init__(self, name):
-        rows = read_table(HERE / "walks" / f"{variant(name).get('walks_of', name)}.csv")
+        self.file = HERE / "walks" / f"{variant(name).get('walks_of', name)}.csv"
+        self.name = name
+        rows = read_table(self.file)
         self.bodies = [row["phenotype"] for row in rows]
+        self.levels = [int(column.split("_")[1]) for column in rows[0] if column.endswith("_dx_m")]
         self.ends_m = {level: np.array([[float(row[f"level_{level}_{axis}_m"] or "nan") for axis in ("dx", "dy")] for row in rows])
-                       for level in LEVELS}
+                       for level in self.levels}
+        self.statuses = {level: [row.get(f"level_{level}_status") for row in rows] for level in self.levels}
         self.score_of_level = SCORES[variant(name).get("score", "body_lengths")]
+        self.duration_s = duration_s(name)
 
     def distances_m(self, level):
         return np.hypot(*self.ends_m[level].T)
@@ -93,17 +116,46 @@ class Walks:
     def body_lengths(self, level):
         return body_lengths(self.distances_m(level), level)
 
+    def moves(self, level):
+        """Who goes as fast as a tenth of a body length in 5 s, however long the walk is."""
+        return self.body_lengths(level) >= LEAST_BODY_LENGTHS * self.duration_s / DURATION_S
+
+    def ended_at(self, level):
+        return ~np.isnan(self.distances_m(level))
+
+    def ended(self):
+        """Who ended the walks at all levels."""
+        return np.all([self.ended_at(level) for level in self.levels], axis=0)
+
+    def scores(self):
+        return np.array([self.score_of_level(self.distances_m(level), level) for level in self.levels])
+
     def fitness(self):
         """The least score of all levels; a robot that fails at one ranks last."""
-        scores = np.array([self.score_of_level(self.distances_m(level), level) for level in LEVELS])
-        return np.where(np.isnan(scores).any(axis=0), -1.0, np.min(scores, axis=0))
+        return np.where(self.ended(), np.min(self.scores(), axis=0), -1.0)
+
+    def cells(self):
+        return np.array([sum(digit != "0" for digit in body) for body in self.bodies])
+
+    def has_two_materials(self):
+        return np.array([{"1", "2"} <= set(body) for body in self.bodies])
 
 
 def body_lengths(distance_m, level):
-    return distance_m / (CELL_EDGE_M * 3**level)
+    return distance_m / (CELL_EDGE_M * cells_per_side(level))
 
 
-SCORES = {"body_lengths": body_lengths, "squared_metres": lambda distance_m, level: distance_m**2 / 3**level}
+SCORES = {"body_lengths": body_lengths, "squared_metres": lambda distance_m, level: distance_m**2 / cells_per_side(level)}
+
+
+def known(value):
+    """The number, or None where it is none."""
+    return value if value is not None and np.isfinite(value) else None
+
+
+def interval(name, estimate):
+    """The cells of an estimate."""
+    return {name: known(estimate.value), f"{name}_low": known(estimate.low), f"{name}_high": known(estimate.high)}
 
 
 def groups_of_ten(robots):
@@ -116,35 +168,161 @@ def share_with_another_best(first, second, groups):
     return float(np.mean(first[groups].argmax(axis=1) != second[groups].argmax(axis=1)))
 
 
-def comparison(text, other):
-    """A variant against the text. How far ends move is over the robots that move at this level as the text says."""
-    fitness, changed = text.fitness(), other.fitness()
-    ranks = spearman(fitness, changed)
-    row = {"fitness_spearman": ranks.value, "fitness_spearman_low": ranks.low, "fitness_spearman_high": ranks.high}
-    for level in LEVELS:
-        row[f"level_{level}_spearman"] = rank_correlation(text.distances_m(level), other.distances_m(level))
-        moves = text.body_lengths(level) >= LEAST_BODY_LENGTHS
-        shift = np.hypot(*(other.ends_m[level] - text.ends_m[level])[moves].T) / text.distances_m(level)[moves]
-        row[f"level_{level}_median_change"] = float(np.nanmedian(shift))
-    groups = groups_of_ten(len(fitness))
-    best = bootstrap(lambda a, b: share_with_another_best(a, b, groups), fitness, changed, paired=True)
-    row |= {"another_best_of_ten": best.value, "another_best_of_ten_low": best.low, "another_best_of_ten_high": best.high}
-    top = len(fitness) // 10
-    row["best_tenth_in_common"] = len(set(np.argsort(-fitness)[:top]) & set(np.argsort(-changed)[:top])) / top
+def agreement(fitness, changed):
+    """How well two fitnesses of the same robots agree."""
+    row = interval("fitness_spearman", spearman(fitness, changed))
+    if len(fitness) >= TEN:
+        groups = groups_of_ten(len(fitness))
+        row |= interval("another_best_of_ten", bootstrap(lambda a, b: share_with_another_best(a, b, groups), fitness, changed, paired=True))
     return row
 
 
-def conclusions(walks):
-    """What of the paper's statements can be seen on random robots: which scale is slower, and by how much."""
-    small, large = (walks.body_lengths(level) for level in LEVELS)
-    best = np.minimum(small, large)
-    moves = small >= LEAST_BODY_LENGTHS
-    small, large = small[moves], large[moves]
-    slower = share(int(np.sum(large < small)), len(small))
-    factor = bootstrap(np.median, large / small)
-    return {"moving": len(small), "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
-            "speed_factor": factor.value, "speed_factor_low": factor.low, "speed_factor_high": factor.high,
-            "best_body_lengths": float(np.nanmax(best)), "median_body_lengths": float(np.nanmedian(best))}
+def comparison(text, other):
+    """The fitness of a variant against that of the text: of all robots, and of those that ended all walks of both."""
+    fitness, changed = text.fitness(), other.fitness()
+    ended = text.ended() & other.ended()
+    everyone = agreement(fitness, changed)
+    of_ended = everyone if ended.all() else agreement(fitness[ended], changed[ended])
+    top = len(fitness) // 10
+    in_common = len(set(np.argsort(-fitness)[:top]) & set(np.argsort(-changed)[:top])) / top
+    return {"failed": int(np.sum(~other.ended())), "ended": int(ended.sum())} | everyone | {f"ended_{key}": value for key, value in of_ended.items()} | {
+        "best_tenth_in_common": in_common}
+
+
+def ninth_decile(sample, axis=-1):
+    return np.quantile(sample, 0.9, axis=axis)
+
+
+def change(text, other, level):
+    """How far the ends of a variant are from those of the text, over the distance there: of robots that move there and end both walks."""
+    both = text.ended_at(level) & other.ended_at(level)
+    moving = both & text.moves(level)
+    longest_m = np.nanmax(other.distances_m(level)) if other.ended_at(level).any() else None
+    row = {"failed": int(np.sum(~other.ended_at(level))), "ended": int(both.sum()),
+           "fastest_m_per_s": longest_m / other.duration_s if longest_m is not None else None, "moving": int(moving.sum())}
+    if both.sum() > 1:
+        row["distance_spearman"] = known(rank_correlation(text.distances_m(level)[both], other.distances_m(level)[both]))
+    if moving.any():
+        before_m = text.distances_m(level)[moving]
+        end = np.hypot(*(other.ends_m[level] - text.ends_m[level])[moving].T) / before_m
+        factor = other.distances_m(level)[moving] / before_m
+        for name, sample in (("end", end), ("distance", np.abs(factor - 1.0)), ("factor", factor)):
+            row |= interval(f"{name}_median", median(sample)) | interval(f"{name}_ninth_decile", bootstrap(ninth_decile, sample))
+    return row
+
+
+def failures(text, walks, level):
+    """Robots whose walks failed, and the others: what their bodies are, and how far they go as the text says."""
+    for outcome, chosen in (("failed", ~walks.ended_at(level)), ("ended", walks.ended_at(level))):
+        statuses = Counter(status for status, here in zip(walks.statuses[level], chosen) if here)
+        told = "; ".join(f"{count} {status}" for status, count in sorted(statuses.items())) if None not in statuses else "not kept"
+        row = {"level": level, "outcome": outcome, "cells_per_side": cells_per_side(level), "robots": int(chosen.sum()), "statuses": told,
+               "two_materials": int(np.sum(chosen & walks.has_two_materials()))}
+        if chosen.any():
+            row["cells_median"] = float(np.median(walks.cells()[chosen]))
+            row |= interval("text_body_lengths", median(text.body_lengths(level)[chosen & text.ended_at(level)]))
+        yield row
+
+
+def carried_by_chance(lower_m, upper_m):
+    """The share of robots that carry over where each is compared with every other one."""
+    lower, upper = (index.ravel() for index in np.indices((len(lower_m), len(upper_m))))
+    others = lower != upper
+    return float(np.mean(carries_over(*angle_and_factor(lower_m[lower[others]], upper_m[upper[others]]))))
+
+
+def verdict(row, name, against):
+    """Whether a number is above what it would be by chance: yes, no (it is below), or open, as its interval has it inside."""
+    low, high = row[f"{name}_low"], row[f"{name}_high"]
+    return "open" if low is None or high is None or low <= against <= high else "yes" if low > against else "no"
+
+
+def from_scale_to_scale(walks, lower, upper):
+    """What of the paper's statements random robots show from one scale to the next."""
+    small, large = walks.body_lengths(lower), walks.body_lengths(upper)
+    ended = walks.ended_at(lower) & walks.ended_at(upper)
+    moving = ended & walks.moves(lower)
+    count = int(moving.sum())
+    row = {"ended": int(ended.sum()), "moving": count}
+    if count > 1:
+        row |= interval("larger_is_slower", share(int(np.sum((large < small)[moving])), count))
+        row["larger_is_slower_verdict"] = verdict(row, "larger_is_slower", 0.5)
+        row |= interval("speed_factor", median(large[moving] / small[moving]))
+        ends_m = walks.ends_m[lower][moving], walks.ends_m[upper][moving]
+        row |= interval("carried_over", share(int(np.sum(carries_over(*angle_and_factor(*ends_m)))), count))
+        row["carried_over_by_chance"] = carried_by_chance(*ends_m)
+        row["carried_over_verdict"] = verdict(row, "carried_over", row["carried_over_by_chance"])
+        row |= interval("scales_spearman", spearman(small[ended], large[ended]))
+        row["scales_spearman_verdict"] = verdict(row, "scales_spearman", 0.0)
+    return row
+
+
+def of_fitness(walks):
+    """What fitness goes with: the Hausdorff dimension, and the scale that decides it."""
+    ended = walks.ended()
+    fitness, cells = walks.fitness()[ended], walks.cells()[ended]
+    if len(fitness) < 2:
+        return {}
+    row = interval("dimension_spearman", spearman(np.log(cells) / np.log(3.0), fitness))
+    row["dimension_spearman_verdict"] = verdict(row, "dimension_spearman", 0.0)
+    sponges = (cells >= SPONGE_CELLS[0]) & (cells <= SPONGE_CELLS[1])
+    best = np.argsort(-fitness, kind="stable")[:max(1, len(fitness) // 10)]
+    row["sponges"] = float(np.mean(sponges))
+    row |= interval("best_tenth_sponges", share(int(np.sum(sponges[best])), len(best)))
+    row["best_tenth_sponges_verdict"] = verdict(row, "best_tenth_sponges", row["sponges"])
+    scores = walks.scores()[:, ended]
+    row |= interval("smallest_scale_decides", share(int(np.sum(scores[0] < np.min(scores[1:], axis=0))), len(fitness)))
+    least = np.min([walks.body_lengths(level)[ended] for level in walks.levels], axis=0) * 60.0 / walks.duration_s
+    return row | {"best_body_lengths_per_minute": float(np.max(least)), "median_body_lengths_per_minute": float(np.median(least))}
+
+
+@dataclass(frozen=True)
+class Conclusion:
+    """A statement that a column of conclusions.csv tests; `of_walks`: a variant of the score alone says nothing new of it."""
+
+    label: str
+    of_walks: bool
+
+
+CONCLUSIONS = {
+    "larger_is_slower": Conclusion("of the robots that move, more than half are slower at the larger scale, in body lengths", True),
+    "carried_over": Conclusion("more robots carry direction and speed over to the larger scale than by chance", True),
+    "scales_spearman": Conclusion("who is fast at the smaller scale is fast at the larger one (rank correlation above 0)", True),
+    "dimension_spearman": Conclusion("fitness rises with the Hausdorff dimension (rank correlation above 0)", False),
+    "best_tenth_sponges": Conclusion("bodies of a dimension of 2.5 to 2.7 are more frequent among the best tenth than among all", False),
+}
+
+
+def verdicts(rows):
+    """Of each conclusion, in how many variants its verdict is that of the text."""
+    made = []
+    for name, conclusion in CONCLUSIONS.items():
+        # A correlation of numbers that are all equal is none, and has no verdict.
+        shown = [row for row in rows if row.get(name) is not None and not (conclusion.of_walks and "walks_of" in variant(row["variant"]))]
+        for pair in dict.fromkeys(row["levels"] for row in shown if row["variant"] == "text"):
+            here = [row for row in shown if row["levels"] == pair]
+            of_text = next(row[f"{name}_verdict"] for row in here if row["variant"] == "text")
+            others = [row for row in here if row[f"{name}_verdict"] != of_text]
+            sentence = f"{of_text} in all {len(here)} variants" if not others else f"{of_text} in {len(here) - len(others)} of {len(here)} variants"
+            for other in dict.fromkeys(row[f"{name}_verdict"] for row in others):
+                sentence += f"; {other} with: " + ", ".join(row["label"] for row in others if row[f"{name}_verdict"] == other)
+            made.append({"conclusion": name, "levels": pair, "label": conclusion.label, "variants": len(here), "text": of_text,
+                         "as_text": len(here) - len(others), "lowest": min(row[name] for row in here), "highest": max(row[name] for row in here),
+                         "sentence": sentence})
+    return made
+
+
+def write_rows(name, rows):
+    """A table of rows, whose columns are those of the longest one; without rows the table goes."""
+    if rows:
+        columns = list(max(rows, key=len))
+        write_table(HERE / name, columns, [[cell(row.get(column)) for column in columns] for row in rows])
+    else:
+        (HERE / name).unlink(missing_ok=True)
+
+
+def kind_of(name):
+    return KINDS.get(variant(name).get("kind"), "")
 
 
 def summary():
@@ -152,38 +330,86 @@ def summary():
     if "text" not in there:
         raise InputError(f"{HERE / 'walks' / 'text.csv'}: is not there: ./run paper discrepancies text")
     text = Walks("text")
-    compared, concluded = [], []
+    compared, changed, failed, concluded = [], [], [], []
     for name in there:
         walks = Walks(name)
-        if walks.bodies != text.bodies:
-            raise InputError(f"{HERE / 'walks' / name}.csv: has other robots than text.csv")
-        about = {"variant": name, "label": variant(name)["label"], "robots": len(text.bodies)}
-        concluded.append(about | conclusions(walks))
+        if (walks.bodies, walks.levels) != (text.bodies, text.levels):
+            raise InputError(f"{walks.file}: has other robots or levels than text.csv")
+        about = {"label": variant(name)["label"], "kind": kind_of(name), "robots": len(text.bodies)}
+        for lower, upper in zip(walks.levels, walks.levels[1:]):
+            pair = {"levels": f"{lower} to {upper}", "cells_per_side": f"{cells_per_side(lower)} to {cells_per_side(upper)}"}
+            concluded.append({"variant": name} | pair | about | from_scale_to_scale(walks, lower, upper) | of_fitness(walks))
+        own = "walks_of" not in variant(name)
+        if own:
+            failed += [{"variant": name} | row | {"label": about["label"]} for level in walks.levels if not walks.ended_at(level).all()
+                       for row in failures(text, walks, level)]
         if name != "text":
-            compared.append(about | comparison(text, walks))
-    for file, rows in (("statistics.csv", compared), ("conclusions.csv", concluded)):
-        if rows:
-            write_table(HERE / file, list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
+            compared.append({"variant": name} | about | comparison(text, walks))
+            if own:
+                changed += [{"variant": name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(text, walks, level)
+                            for level in walks.levels]
+    for file, rows in (("statistics.csv", compared), ("changes.csv", changed), ("failures.csv", failed), ("conclusions.csv", concluded),
+                       ("verdicts.csv", verdicts(concluded))):
+        write_rows(file, rows)
     if compared:
         draw(compared)
 
 
+def with_headings(rows):
+    """The rows of a figure from the top, with their places, and the headings of their kinds between them."""
+    places, headings, place = [], [], 0.0
+    for number, row in enumerate(rows):
+        if number == 0 or row["kind"] != rows[number - 1]["kind"]:
+            place -= 0.35
+            headings.append((place, row["kind"]))
+            place -= 1.0
+        places.append(place)
+        place -= 1.0
+    return places, headings
+
+
 def draw(rows):
-    """Points with intervals: how well ranks agree with the text's, and how often another robot is the best of ten."""
+    """How well fitness agrees with the text's, how often another robot is the best of ten, and how many walks fail."""
     pyplot = pyplot_for_svg()
-    rows = sorted(rows, key=lambda row: row["fitness_spearman"])
-    figure, axes = pyplot.subplots(1, 2, figsize=(9, 1.0 + 0.4 * len(rows)), sharey=True, layout="constrained")
-    places = range(len(rows))
-    for panel, column, title, colour in ((axes[0], "fitness_spearman", "rank correlation of fitness with the text's", "#0072B2"),
-                                         (axes[1], "another_best_of_ten", "share of tens with another best robot", "#D55E00")):
-        values = [row[column] for row in rows]
-        ends = [[value - row[column + "_low"] for value, row in zip(values, rows)], [row[column + "_high"] - value for value, row in zip(values, rows)]]
-        panel.errorbar(values, places, xerr=ends, fmt="o", color=colour, capsize=3)
-        panel.set_xlabel(f"{title}\n(95 % interval, {rows[0]['robots']} robots)")
-        panel.set_xlim(min(0.0, *(row[column + "_low"] for row in rows)) - 0.02, 1.02)
-        panel.set_ylim(-0.6, len(rows) - 0.4)
-        panel.grid(axis="x", color="#dddddd")
+    pyplot.rcParams.update({"font.size": 8})
+    places, headings = with_headings(rows)
+    bottom = min(places) - 0.7
+    height = 1.15 - 0.2 * bottom  # in inches, as wide as a page is printed: type is 8 points there
+    figure, axes = pyplot.subplots(1, 3, figsize=(6.5, height), sharey=True, width_ratios=(1.0, 1.0, 0.6))
+    figure.subplots_adjust(left=0.31, right=0.985, bottom=0.82 / height, top=1.0 - 0.25 / height, wspace=0.12)
+    for panel, column, title in ((axes[0], "fitness_spearman", "rank correlation of fitness\nwith that of the text"),
+                                 (axes[1], "another_best_of_ten", "share of tens with\nanother best robot")):
+        for prefix, colour, mark, label, aside in (("", "#0072B2", "o", "all robots, failed ones last", 0.0),
+                                                   ("ended_", "#D55E00", "D", "failed ones left out, where there are any", -0.32)):
+            shown = [(row, place + aside) for row, place in zip(rows, places) if row.get(prefix + column) is not None and (not prefix or row["failed"])]
+            if not shown:
+                continue
+            values = [row[prefix + column] for row, _ in shown]
+            # An interval without ends is drawn as none.
+            ends = [[row[f"{prefix}{column}_{end}"] for row, _ in shown] for end in ("low", "high")]
+            spans = [[0.0 if end is None else abs(end - value) for end, value in zip(side, values)] for side in ends]
+            panel.errorbar(values, [place for _, place in shown], xerr=spans, fmt=mark, color=colour, markersize=4, capsize=2, label=label)
+        panel.set_xlabel(title)
+        panel.set_xticks((0.0, 0.5, 1.0), ("0", "0.5", "1"))
+        panel.set_xlim(min(0.0, *(row.get(f"{column}_low") or 0.0 for row in rows)) - 0.02, 1.02)
+    axes[2].barh(places, [row["failed"] for row in rows], height=0.55, color="#666666")
+    for row, place in zip(rows, places):
+        axes[2].annotate(str(row["failed"]), (row["failed"], place), xytext=(2, 0), textcoords="offset points", va="center")
+    axes[2].set_xlabel(f"failed walks\nof {rows[0]['robots']} robots")
+    axes[2].set_xlim(0, 1.35 * max(10, *(row["failed"] for row in rows)))
+    axes[0].set_ylim(bottom, 0.3)
     axes[0].set_yticks(places, [row["label"] for row in rows])
+    for place, kind in headings:
+        axes[0].annotate(kind, (0, place), xytext=(-4, 0), xycoords=("axes fraction", "data"), textcoords="offset points", ha="right",
+                         va="center", fontstyle="italic", annotation_clip=False)
+        for panel in axes:
+            panel.axhline(place, color="#bbbbbb", linewidth=0.6)
+    for panel, letter in zip(axes, "abc"):
+        panel.set_title(letter, loc="left", fontweight="bold", fontsize=9)
+        panel.grid(axis="x", color="#dddddd")
+        panel.set_axisbelow(True)
+        panel.tick_params(axis="y", length=0)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncols=2, frameon=False)
     write_svg(figure, HERE / "discrepancies.svg")
 
 

@@ -6,6 +6,7 @@ paper_scales_test.py SOURCES: the folder of the sources. Exit code 77: there is 
 
 import csv
 import importlib.util
+import itertools
 import math
 import pathlib
 import shutil
@@ -28,12 +29,39 @@ def table_of(file):
         return list(csv.DictReader(text))
 
 
+def options_of(preset):
+    """The options of a preset of searches by their dotted names."""
+    tables = tomllib.loads((SOURCES / f"paper/presets/{preset}.toml").read_text())
+    return {key: value for key, value in tables.items() if not isinstance(value, dict)} | {
+        f"{table}.{key}": value for table, keys in tables.items() if isinstance(keys, dict) for key, value in keys.items()}
+
+
 def write(file, columns, rows):
     file.parent.mkdir(parents=True, exist_ok=True)
     with open(file, "w", newline="", encoding="utf-8") as text:
         out = csv.writer(text)
         out.writerow(columns)
         out.writerows(rows)
+
+
+def module_of(script):
+    spec = importlib.util.spec_from_file_location(pathlib.Path(script).stem, SOURCES / script)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def ranks(values):
+    """From 1; equal values share the mean of their ranks."""
+    order = sorted(values)
+    return [order.index(value) + (order.count(value) + 1) / 2 for value in values]
+
+
+def spearman_of(first, second):
+    first, second = ranks(first), ranks(second)
+    mean = (len(first) + 1) / 2
+    product = sum((a - mean) * (b - mean) for a, b in zip(first, second))
+    return product / math.sqrt(sum((a - mean) ** 2 for a in first) * sum((b - mean) ** 2 for b in second))
 
 
 def body(number):
@@ -76,14 +104,17 @@ class Discrepancies(Case):
     def folder(self):
         return self.tree / "paper/discrepancies"
 
-    def individuals(self, ends):
+    def individuals(self, ends, columns=("level_1_dx_m", "level_1_dy_m", "level_2_dx_m", "level_2_dy_m")):
         """What menger export writes of 520 robots, of which every 26th is the one before again. ends: of a robot's number, by level"""
         rows = []
         for n in range(520):
             rows.append([n, body(n - 1 if n % 26 == 25 else n), *ends(n)])
         file = self.tree / "individuals.csv"
-        write(file, ["individual", "phenotype", "level_1_dx_m", "level_1_dy_m", "level_2_dx_m", "level_2_dy_m"], rows)
+        write(file, ["individual", "phenotype", *columns], rows)
         return file
+
+    def rows_of(self, table, *keys):
+        return {tuple(row[key] for key in keys): row for row in table_of(self.folder() / table)}
 
     def test_a_study_has_one_thing_changed(self):
         self.done(self.script, "study", "half_step", self.tree / "out/half_step.toml")
@@ -99,6 +130,26 @@ class Discrepancies(Case):
         names = [name for name, one in variants.items() if "walks_of" not in one]
         self.assertEqual(names[0], "text")
         self.assertIn("for variant in " + " ".join(names) + ";", experiment)
+        kinds = [one["kind"] for name, one in variants.items() if name != "text"]
+        self.assertEqual([kind for kind, _ in itertools.groupby(kinds)], ["difference", "omission", "sensitivity"], "variants of one kind stand together")
+
+    def test_every_option_that_differs_between_text_and_code_is_compared_or_named_as_not_covered(self):
+        text, code = options_of("paper"), options_of("released-code")
+        variants = tomllib.loads((SOURCES / "paper/discrepancies/variants.toml").read_text())
+        together = variants["released_walks"]
+        compared = {f"{table}.{key}": value for table, keys in together["keys"].items() for key, value in keys.items()}
+        compared["evaluation.objective"] = {"squared_metres": "squared-metres-per-scale"}[together["score"]]
+        apart = {option: [row["text"], row["released_code"]] for row in table_of(SOURCES / "paper/discrepancies/not_covered.csv") for option in [row["option"]]}
+        self.assertEqual({option for option in text if text[option] != code[option]}, set(compared) | set(apart))
+        self.assertFalse(set(compared) & set(apart))
+        for option, value in compared.items():
+            self.assertEqual(code[option], value, option)
+        for option, values in apart.items():
+            self.assertEqual([str(text[option]).lower(), str(code[option]).lower()], values, option)
+        # Each of the other differences is one of these alone.
+        alone = [one for name, one in variants.items() if one.get("kind") == "difference" and name != "released_walks"]
+        self.assertEqual({table: keys for one in alone for table, keys in one.get("keys", {}).items()}, together["keys"])
+        self.assertEqual([one["score"] for one in alone if "score" in one], [together["score"]])
 
     def test_finds_what_a_change_does(self):
         far = lambda n: 1e-3 * (n + 1)  # noqa: E731
@@ -113,17 +164,119 @@ class Discrepancies(Case):
         rows = {row["variant"]: row for row in table_of(self.folder() / "statistics.csv")}
         self.assertEqual(list(rows), ["duration", "score", "no_drag"], "those whose walks are there")
         self.assertEqual((rows["duration"]["fitness_spearman"], rows["duration"]["another_best_of_ten"]), ("1", "0"))
-        self.assertEqual(rows["duration"]["level_2_median_change"], "0")
+        self.assertEqual(self.rows_of("changes.csv", "variant", "level")["duration", "2"]["end_median"], "0")
         # Squared metres over 3 and 9 keep the order of robots that go twice as far at level 2.
         self.assertEqual(rows["score"]["fitness_spearman"], "1")
         self.assertAlmostEqual(float(rows["no_drag"]["fitness_spearman"]), -1.0, delta=0.001)
         self.assertEqual(rows["no_drag"]["another_best_of_ten"], "1")
         self.assertEqual(rows["no_drag"]["best_tenth_in_common"], "0")
         concluded = {row["variant"]: row for row in table_of(self.folder() / "conclusions.csv")}
+        self.assertEqual(rows["no_drag"]["failed"], "0")
+        # Where all go equally far there is no correlation, and the cell is empty.
+        self.assertEqual(self.rows_of("changes.csv", "variant", "level")["no_drag", "2"]["distance_spearman"], "")
         # Twice the distance is two thirds of the body lengths.
         self.assertEqual(concluded["text"]["larger_is_slower"], "1")
         self.assertAlmostEqual(float(concluded["text"]["speed_factor"]), 2.0 / 3.0, delta=1e-4)
         xml.dom.minidom.parse(str(self.folder() / "discrepancies.svg"))
+
+    def test_counts_failed_walks_and_says_how_far_ends_move(self):
+        far = lambda n: 1e-3 * (n + 1.5)  # noqa: E731
+        columns = [f"level_{level}_{what}" for level in (1, 2) for what in ("status", "dx_m", "dy_m")]
+        # As many body lengths at level 2, and a tenth more.
+        self.done(self.script, "take", self.individuals(lambda n: (far(n), 0.0, 3.3 * far(n), 0.0), [column for column in columns if "status" not in column]), "text")
+        # Every tenth robot fails at level 1, the others walk as before.
+        fails = lambda n: n % 10 == 0  # noqa: E731
+        self.done(self.script, "take", self.individuals(lambda n: (*(("diverged", "", "") if fails(n) else ("completed", far(n), 0.0)), "completed", 3.3 * far(n), 0.0), columns),
+                  "no_drag")
+        # A fifth more at level 1, and every fifth robot twice as far; at level 2 as far aside as half the way.
+        self.done(self.script, "take", self.individuals(lambda n: ((2.0 if n % 5 == 0 else 1.2) * far(n), 0.0, 3.3 * far(n), 1.65 * far(n)),
+                                                        [column for column in columns if "status" not in column]), "half_step")
+        self.done(self.script, "summary")
+        chosen = [n for n in range(520) if n % 26 != 25]
+        failed = [n for n in chosen if fails(n)]
+        for table in ("statistics.csv", "changes.csv", "failures.csv", "conclusions.csv", "verdicts.csv"):
+            self.assertNotIn("nan", (self.folder() / table).read_text().lower().split(","))
+        statistics = self.rows_of("statistics.csv", "variant")
+        drag, step = statistics["no_drag",], statistics["half_step",]
+        self.assertEqual((drag["kind"], step["kind"]), ("the text does not mention it", "sensitivity, no difference"))
+        self.assertEqual((drag["failed"], drag["ended"], drag["ended_fitness_spearman"], drag["ended_another_best_of_ten"]), (str(len(failed)), str(500 - len(failed)), "1", "0"))
+        # Failed robots rank last: with m of n moved to the end, as one tie.
+        after = [-1.0 if fails(n) else float(n) for n in chosen]
+        self.assertAlmostEqual(float(drag["fitness_spearman"]), spearman_of(chosen, after), delta=1e-4)
+        self.assertGreater(float(drag["another_best_of_ten"]), 0.05)
+        self.assertEqual((step["failed"], step["ended_fitness_spearman"]), ("0", step["fitness_spearman"]))
+        failures = self.rows_of("failures.csv", "variant", "level", "outcome")
+        self.assertEqual(set(failures), {("no_drag", "1", "failed"), ("no_drag", "1", "ended")})
+        lost = failures["no_drag", "1", "failed"]
+        self.assertEqual((lost["robots"], lost["statuses"], failures["no_drag", "1", "ended"]["statuses"]),
+                         (str(len(failed)), f"{len(failed)} diverged", f"{500 - len(failed)} completed"))
+        self.assertEqual(lost["two_materials"], str(sum("2" in body(n) for n in failed)))
+        middle = sorted(failed)[len(failed) // 2 - 1:len(failed) // 2 + 1] if len(failed) % 2 == 0 else [sorted(failed)[len(failed) // 2]] * 2
+        self.assertAlmostEqual(float(lost["text_body_lengths"]), sum(map(far, middle)) / 2 / 0.03, delta=2e-3)
+        changes = self.rows_of("changes.csv", "variant", "level")
+        small, large = changes["half_step", "1"], changes["half_step", "2"]
+        self.assertEqual((small["moving"], large["moving"]), ("498", "498"), "the two shortest stand still")
+        self.assertEqual((small["end_median"], small["end_ninth_decile"], small["distance_median"], small["factor_median"]), ("0.2", "1", "0.2", "1.2"))
+        self.assertEqual((large["end_median"], large["end_ninth_decile"]), ("0.5", "0.5"))
+        self.assertAlmostEqual(float(large["distance_median"]), math.sqrt(1.25) - 1.0, delta=1e-4)
+        self.assertAlmostEqual(float(large["fastest_m_per_s"]), 3.3 * math.sqrt(1.25) * far(518) / 5.0, delta=1e-3)
+        self.assertEqual((changes["no_drag", "1"]["failed"], changes["no_drag", "2"]["failed"], changes["no_drag", "1"]["distance_spearman"]), (str(len(failed)), "0", "1"))
+        concluded = self.rows_of("conclusions.csv", "variant", "levels")["text", "1 to 2"]
+        self.assertEqual((concluded["moving"], concluded["larger_is_slower"], concluded["larger_is_slower_verdict"]), ("498", "0", "no"))
+        self.assertEqual((concluded["carried_over"], concluded["carried_over_verdict"], concluded["speed_factor"]), ("1", "yes", "1.1"))
+        self.assertEqual((concluded["scales_spearman"], concluded["scales_spearman_verdict"]), ("1", "yes"))
+        self.assertEqual(self.rows_of("conclusions.csv", "variant", "levels")["no_drag", "1 to 2"]["ended"], str(500 - len(failed)))
+        self.assertEqual(self.rows_of("conclusions.csv", "variant", "levels")["half_step", "1 to 2"]["larger_is_slower_verdict"], "no")
+        self.assertEqual(self.rows_of("verdicts.csv", "conclusion", "levels")["larger_is_slower", "1 to 2"]["sentence"], "no in all 3 variants")
+
+    def test_finds_what_fitness_goes_with(self):
+        script = module_of("paper/discrepancies/discrepancies.py")
+
+        class Made(script.Walks):
+            def __init__(self, cells, small, large, duration_s=5.0):  # the ways in body lengths
+                self.name, self.levels, self.duration_s = "text", [1, 2], duration_s
+                self.bodies = ["1" * count + "0" * (27 - count) for count in cells]
+                self.ends_m = {level: script.np.array([[0.01 * 3**level * way, 0.0] for way in ways]) for level, ways in ((1, small), (2, large))}
+                self.score_of_level = script.SCORES["body_lengths"]
+
+        cells = [3 + n % 25 for n in range(100)]
+        rising = [float(count) for count in cells]
+        found = script.of_fitness(Made(cells, rising, [2.0 * way for way in rising]))
+        self.assertAlmostEqual(found["dimension_spearman"], 1.0)
+        self.assertEqual((found["dimension_spearman_verdict"], found["sponges"], found["best_tenth_sponges"]), ("yes", 0.16, 0.0))
+        self.assertEqual(found["smallest_scale_decides"], 1.0)
+        self.assertAlmostEqual(found["best_body_lengths_per_minute"], 27 * 12.0)
+        self.assertAlmostEqual(found["median_body_lengths_per_minute"], 15 * 12.0)
+        found = script.of_fitness(Made(cells, [30.0 - way for way in rising], [40.0 - way for way in rising], duration_s=2.0))
+        self.assertEqual(found["dimension_spearman_verdict"], "no")
+        self.assertAlmostEqual(found["best_body_lengths_per_minute"], 27 * 30.0)
+        # The best are of 16 to 19 cells; a failed robot has no part in it; at every fourth the larger scale decides.
+        small = [10.0 + n / 100 if 16 <= count <= 19 else 1.0 for n, count in enumerate(cells)]
+        large = [way * (0.5 if n % 4 == 0 else 2.0) for n, way in enumerate(small)]
+        found = script.of_fitness(Made(cells + [3, 3], small + [math.nan, 5.0], large + [99.0, math.nan]))
+        self.assertEqual((found["best_tenth_sponges"], found["best_tenth_sponges_verdict"], found["smallest_scale_decides"]), (1.0, "yes", 0.75))
+        # A robot of 2 s needs two fifths of the way of one of 5 s.
+        self.assertEqual(list(Made([3, 3], [0.05, 0.03], [1.0, 1.0], 2.0).moves(1)), [True, False])
+        self.assertEqual(list(Made([3, 3], [0.05, 0.03], [1.0, 1.0]).moves(1)), [False, False])
+
+    def test_chance_pairs_every_robot_with_every_other_one(self):
+        script = module_of("paper/discrepancies/discrepancies.py")
+        lower = script.np.array([[0.01, 0.0], [0.01, 0.0], [-0.01, 0.0]])
+        self.assertAlmostEqual(script.carried_by_chance(lower, 3.0 * lower), 2 / 6)
+
+    def test_says_which_variants_turn_a_conclusion(self):
+        script = module_of("paper/discrepancies/discrepancies.py")
+        for low, high, verdict in ((0.6, 0.7, "yes"), (0.3, 0.4, "no"), (0.4, 0.6, "open"), (None, None, "open")):
+            self.assertEqual(script.verdict({"share_low": low, "share_high": high}, "share", 0.5), verdict)
+        rows = [{"variant": name, "levels": "1 to 2", "label": label, "larger_is_slower": value, "larger_is_slower_verdict": verdict}
+                for name, label, value, verdict in (("text", "the text", 0.9, "yes"), ("duration", "2 s", 0.2, "no"), ("score", "score", 0.9, "yes"),
+                                                    ("phases", "phases", 0.5, "open"), ("no_drag", "drag", 0.1, "no"))]
+        told = script.verdicts(rows)
+        self.assertEqual([row["conclusion"] for row in told], ["larger_is_slower"])
+        # That of the score has the walks of the text.
+        self.assertEqual((told[0]["variants"], told[0]["as_text"], told[0]["lowest"], told[0]["highest"]), (4, 1, 0.1, 0.9))
+        self.assertEqual(told[0]["sentence"], "yes in 1 of 4 variants; no with: 2 s, drag; open with: phases")
+        self.assertEqual(script.verdicts(rows[:1])[0]["sentence"], "yes in all 1 variants")
 
     def test_says_what_is_missing(self):
         self.refused("text.csv: is not there", self.script, "summary")
