@@ -170,6 +170,8 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   visitor.only_if(study.measure == Measure::last_periods, "measure = \"last_periods\"", [&] {
     visitor.integer({"measure_periods", "Number of the last whole periods that count. With fewer than 5, a fall would count."},
                     study.measure_periods, io::at_least(fewest_measured_periods));
+    // Archives of earlier versions do not have this key for voxels, whose bodies did not fall, and go on without falls.
+    if (part == Part::identity && !uses_elements(study) && study.largest_lean_deg >= 180.0) return;
     visitor.number({"largest_lean_deg",
                     "A body whose upright axis, at the end of a period, leans more than this from where it was at the end of "
                     "the first has fallen and has no fitness. 180: none has. With model = \"both\" finite elements tell."},

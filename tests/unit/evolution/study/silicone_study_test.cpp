@@ -116,6 +116,10 @@ TEST_F(SiliconeStudy, ConfirmationIsNoPartOfTheIdentityAndTheLeanIs) {
   const Study of_voxels = read("preset = \"paper\"\n[evaluation]\n" + last);
   EXPECT_EQ(of_voxels.largest_lean_deg, 45.0);
   EXPECT_NE(evaluator_of(of_voxels)->physics().find("largest_lean_deg = 45\n"), std::string::npos);
+  // Without falls, it is the study of an archive from before voxels told them.
+  const Study silent = read("preset = \"paper\"\n[evaluation]\n" + last + "largest_lean_deg = 180\n");
+  EXPECT_EQ(identity_text(silent).find("lean"), std::string::npos);
+  EXPECT_NE(resolved_text(silent).find("largest_lean_deg = 180\n"), std::string::npos);
   // An archive from before bodies could fall.
   std::string text = identity_text(study);
   const std::string line = "largest_lean_deg = 45\n";
