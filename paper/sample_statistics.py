@@ -64,6 +64,11 @@ def share(count, of):
     return Estimate(count / of, float(ends.low), float(ends.high))
 
 
+def fisher(count, of, other_count, of_others):
+    """The two-sided p of Fisher's exact test: how often two shares of equal trials differ as much."""
+    return float(stats.fisher_exact([[count, of - count], [other_count, of_others - other_count]])[1])
+
+
 @dataclass(frozen=True)
 class RankSum:
     """Wilcoxon's rank-sum test of two samples, also called Mann and Whitney's."""

@@ -22,7 +22,7 @@ A block of a text. The comment names the table and gives the header and the rows
 A number in a sentence: <!-- value: TABLE.csv {ROW/COLUMN .2f} -->1.05<!-- end -->
 
 {ROW/COLUMN FORMAT} is a cell; ROW is what stands in the first column of the table, or in its first columns: a:b. A line with {COLUMN FORMAT} is repeated for every
-row of the table. COLUMN*1000 gives another unit. FORMAT is one of Python (.2f), 2sig for significant digits, or nothing for the text
+row of the table, where an empty cell is a dash. COLUMN*1000 gives another unit. FORMAT is one of Python (.2f), 2sig for significant digits, or nothing for the text
 as it stands in the table. Tables are named from the folder of the tree.
 Exit codes: 0 done, 1 a text is out of date, 2 wrong input.
 """
@@ -102,6 +102,8 @@ def filled(line, table, row):
         if found is None or (found["row"] is None and row is None):
             raise InputError(f"{{{place[1]}}} is no {{ROW/COLUMN FORMAT}}")
         text = table.cell(table.row(found["row"]) if found["row"] else row, found["column"])
+        if not text and not found["row"]:
+            return "–"
         try:
             return shown(text, found["scale"], found["format"])
         except ValueError as error:

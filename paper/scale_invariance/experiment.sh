@@ -49,13 +49,13 @@ three_scales() {
 
 similar() {
   local scene name
-  robots similar "$results/similar"
-  for scene in "$results"/similar/*.toml; do
+  robots similar "$results/similar_scenes"
+  for scene in "$results"/similar_scenes/*.toml; do
     name=${scene##*/}
     name=${name%.*}
-    [ -e "$results/similar/$name/result.toml" ] || menger simulate "$scene" --output "$results/similar/$name"
+    [ -e "$results/similar_scenes/$name/result.toml" ] || menger simulate "$scene" --output "$results/similar_scenes/$name"
   done
-  robots simulated "$results/similar"
+  robots simulated "$results/similar_scenes"
 }
 
 summary() { robots summary; }

@@ -6,10 +6,13 @@ scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a sear
 scale_invariance.py similar FOLDER                   writes scenes of the champions of two scales at larger scales, each with the weight, the
                                                      stiffness, or both that make it as heavy and as stiff for its size as at the scale before
 scale_invariance.py simulated FOLDER                 makes similar.csv of what menger simulate wrote for these scenes
-scale_invariance.py summary                          makes statistics.csv, similar_statistics.csv, dimension.csv and scale_invariance.svg
+scale_invariance.py summary                          makes statistics.csv, comparisons.csv, similar_statistics.csv, dimension.csv,
+                                                     dimension_tests.csv and scale_invariance.svg
 
 A robot carries over from one level to the next if it goes the same way within 45 degrees, and between half and twice as fast in body
-lengths. Robots that stand still at the smaller one do not count. Exit codes: 0 done, 2 wrong input.
+lengths. Robots that stand still at the smaller one do not count. Selection prefers fast robots, whose speed carries over more often
+than that of slow ones, so evolved robots are also compared with the fastest of the random ones: by the slower of their speeds at the
+two smallest levels, as selection at two scales sees them. Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
@@ -20,7 +23,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import median, share  # noqa: E402
+from sample_statistics import fisher, median, share, spearman  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
@@ -28,16 +31,20 @@ LEVELS = (1, 2, 3)
 CELL_EDGE_M = 0.01
 LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
+PER_MINUTE = 60.0 / 5.0
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
 RESAMPLES = 2000  # of robots that are paired by chance
 GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
           "three_scales": "evolved at three scales"}
+FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
 # A body three times as long that moves as often has three times the accelerations. It is as heavy beside them with three times the
 # gravity, and as stiff with nine times the modulus: stress is modulus times strain, and density times acceleration times length.
-SIMILAR = {"weight": (3.0, 1.0), "stiffness": (1.0, 9.0), "weight_and_stiffness": (3.0, 9.0)}
+SIMILAR = {"as_it_is": (1.0, 1.0), "weight": (3.0, 1.0), "stiffness": (1.0, 9.0), "weight_and_stiffness": (3.0, 9.0)}
 SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": "Young's modulus x 9", "weight_and_stiffness": "both"}
 SIMILAR_COLUMNS = ["seed", "phenotype", "level", "change", "dx_m", "dy_m"]
+OF_EXPORT = ", other integration"  # than the changed ones, until these and as_it_is are simulated alike
+SEARCH_STUDY = HERE.parent / "fractal" / "two_scales.toml"
 GRAVITY_M_PER_S2 = 9.81
 YOUNGS_MODULUS_PA = 1e4
 # Random robots at two scales, from another experiment
@@ -106,22 +113,53 @@ def angle_and_factor(lower_m, upper_m):
     return np.abs(turn), np.hypot(*upper_m.T) / np.hypot(*lower_m.T) / 3.0
 
 
+def that_move(rows, lower, upper):
+    """The robots that move at the lower level and end their walks at both."""
+    there = (np.hypot(*ends(rows, lower).T) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3**lower) & ~np.isnan(ends(rows, upper)).any(axis=1)
+    return [row for row, is_there in zip(rows, there) if is_there]
+
+
 def moving(rows, lower, upper):
-    """The ends at two levels of the robots that move at the lower one and end their walks at both."""
-    lower_m, upper_m = ends(rows, lower), ends(rows, upper)
-    there = (np.hypot(*lower_m.T) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3**lower) & ~np.isnan(upper_m).any(axis=1)
-    return lower_m[there], upper_m[there]
+    """Their ends at two levels."""
+    there = that_move(rows, lower, upper)
+    return (ends(there, lower), ends(there, upper)) if there else (np.empty((0, 2)), np.empty((0, 2)))
+
+
+def same_way(angle_deg, _):
+    return angle_deg <= LARGEST_ANGLE_DEG
+
+
+def like_speed(_, factor):
+    return (factor >= 1.0 / LARGEST_FACTOR) & (factor <= LARGEST_FACTOR)
 
 
 def carries_over(angle_deg, factor):
-    return (angle_deg <= LARGEST_ANGLE_DEG) & (factor >= 1.0 / LARGEST_FACTOR) & (factor <= LARGEST_FACTOR)
+    return same_way(angle_deg, factor) & like_speed(angle_deg, factor)
+
+
+MEASURES = {"carried_over": carries_over, "same_way": same_way, "like_speed": like_speed}
 
 
 def by_chance(lower_m, upper_m):
-    """The share that carries over where each robot is compared with another one of its group."""
+    """The shares where each robot is compared with another one of its group."""
     draw = np.random.default_rng(1)
-    shares = [np.mean(carries_over(*angle_and_factor(lower_m, upper_m[draw.permutation(len(upper_m))]))) for _ in range(RESAMPLES)]
-    return float(np.mean(shares))
+    shares = []
+    for _ in range(RESAMPLES):
+        found = angle_and_factor(lower_m, upper_m[draw.permutation(len(upper_m))])
+        shares.append([np.mean(measure(*found)) for measure in MEASURES.values()])
+    return dict(zip(MEASURES, np.mean(shares, axis=0).tolist()))
+
+
+def fitness(rows):
+    """The slower of the speeds at the two smallest levels, in body lengths of a walk: what selection at two scales sees."""
+    return np.min([np.hypot(*ends(rows, level).T) / (CELL_EDGE_M * 3**level) for level in LEVELS[:2]], axis=0)
+
+
+def fastest(rows, count):
+    """Of robots that walk at both levels, or none where there are not more than that."""
+    speeds = fitness(rows)
+    order = [number for number in np.argsort(-speeds, kind="stable") if np.isfinite(speeds[number])]
+    return [rows[number] for number in order[:count]] if len(order) > count else []
 
 
 def dimension(row):
@@ -138,34 +176,74 @@ def groups():
     return every
 
 
+def with_fastest(every):
+    """The groups with their labels, and beside the random robots the fastest of them."""
+    made = {}
+    for group, rows in every.items():
+        made[group] = (GROUPS[group], rows)
+        if group == "random":
+            made |= {f"random_{count}": (f"the fastest {count} of these", chosen) for count in FASTEST if (chosen := fastest(rows, count))}
+    return made
+
+
 def outcome(lower_m, upper_m):
-    """Whether robots carry over, go the same way, and how much faster they are, with intervals."""
-    angle, factor = angle_and_factor(lower_m, upper_m)
-    carried = share(int(carries_over(angle, factor).sum()), len(angle))
-    same_way = share(int((angle <= LARGEST_ANGLE_DEG).sum()), len(angle))
-    speed = median(factor)
-    return {"robots": len(angle), "carried_over": carried.value, "carried_over_low": carried.low, "carried_over_high": carried.high,
-            "same_way": same_way.value, "same_way_low": same_way.low, "same_way_high": same_way.high,
-            "speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+    """Whether robots carry over, go the same way, go as fast, and how much faster they are, with intervals."""
+    found = angle_and_factor(lower_m, upper_m)
+    row = {"robots": len(lower_m)}
+    for name, measure in MEASURES.items():
+        estimate = share(int(measure(*found).sum()), len(lower_m))
+        row |= {name: estimate.value, f"{name}_low": estimate.low, f"{name}_high": estimate.high}
+    speed = median(found[1])
+    return row | {"speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
 
 
-def statistics_of(group, rows, lower, upper):
+def statistics_of(group, label, rows, lower, upper):
     lower_m, upper_m = moving(rows, lower, upper)
     if len(lower_m) == 0:
         return None
-    row = {"group": group, "label": GROUPS[group], "levels": f"{lower} to {upper}", "cells": f"{3**lower} to {3**upper}"} | outcome(lower_m, upper_m)
-    row["by_chance"] = by_chance(lower_m, upper_m) if len(lower_m) > 1 else None
+    row = {"group": group, "label": label, "levels": f"{lower} to {upper}", "cells": f"{3**lower} to {3**upper}"} | outcome(lower_m, upper_m)
+    chance = by_chance(lower_m, upper_m) if len(lower_m) > 1 else dict.fromkeys(MEASURES)
+    speeds = fitness(that_move(rows, lower, upper))
+    row["fitness_per_minute"] = float(np.nanmedian(speeds)) * PER_MINUTE if np.isfinite(speeds).any() else None
+    row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"]}
     return {key: cell(value) for key, value in row.items()}
 
 
+def comparisons(every):
+    """Fisher's exact tests of evolved robots against random ones, and how many of these reach the fitness of the evolved."""
+    rows = []
+    sets = with_fastest(every)
+    for group in GROUPS:
+        if group == "random" or group not in sets:
+            continue
+        speeds = fitness(sets[group][1])
+        slowest = float(np.nanmin(speeds)) if np.isfinite(speeds).any() else np.inf
+        for other in [name for name in sets if name.startswith("random")]:
+            for lower in LEVELS[:-1]:
+                samples = [moving(sets[name][1], lower, lower + 1) for name in (group, other)]
+                if not all(len(lower_m) for lower_m, _ in samples):
+                    continue
+                row = {"groups": f"{group} and {other}", "levels": f"{lower} to {lower + 1}", "robots": len(samples[0][0]), "other_robots": len(samples[1][0])}
+                for name, measure in MEASURES.items():
+                    hits = [measure(*angle_and_factor(*sample)) for sample in samples]
+                    row[f"p_{name}"] = fisher(int(hits[0].sum()), len(hits[0]), int(hits[1].sum()), len(hits[1]))
+                row["as_fit_as_the_slowest"] = int(np.sum(fitness(sets[other][1]) >= slowest))
+                rows.append({key: cell(value) for key, value in row.items()})
+    return rows
+
+
 def similar_scenes(folder):
-    """Scenes with the physics of the preset "paper" but for weight and stiffness."""
+    """Scenes with the physics of the search but for weight and stiffness: the preset "paper" with the search's own integration. Those as
+    they are come from the same program as the changed ones, at the smallest level, too."""
     folder.mkdir(parents=True, exist_ok=True)
+    integration = "".join(f'{key} = "{value}"\n' for key, value in read_toml(SEARCH_STUDY)["integration"].items())
     for row in robots():
         if row["group"] != "two_scales":
             continue
-        for level in LEVELS[1:]:
+        for level in LEVELS:
             for change, (weight, stiffness) in SIMILAR.items():
+                if level == LEVELS[0] and change != "as_it_is":
+                    continue
                 write_whole(folder / f"{row['seed']}_{level}_{change}.toml", f"""[design]
 name = "champion_{row['seed']}"
 cell_edge_m = {CELL_EDGE_M}
@@ -185,21 +263,22 @@ stop_rotation = true
 [materials]
 youngs_modulus_Pa = {YOUNGS_MODULUS_PA * stiffness}
 density_kg_per_m3 = 10
-""")
+[integration]
+{integration}""")
 
 
 def take_similar(folder):
+    """Robots whose walks are not there yet keep no row, so that no baseline is of another program."""
     rows = []
     for robot in robots():
         if robot["group"] != "two_scales":
             continue
-        for level in LEVELS[1:]:
-            changes = {"as_it_is": [robot[f"level_{level}_{axis}_m"] for axis in ("dx", "dy")]}
+        for level in LEVELS:
             for change in SIMILAR:
                 result = folder / f"{robot['seed']}_{level}_{change}" / "result.toml"
-                if result.exists() and "displacement_m" in read_toml(result):
-                    changes[change] = [cell(value, 6) for value in read_toml(result)["displacement_m"][:2]]
-            rows += [dict(zip(SIMILAR_COLUMNS, [robot["seed"], robot["phenotype"], level, change, *ends_m])) for change, ends_m in changes.items()]
+                if result.exists() and "displacement_m" in (found := read_toml(result)):
+                    ends_m = [cell(value, 6) for value in found["displacement_m"][:2]]
+                    rows.append(dict(zip(SIMILAR_COLUMNS, [robot["seed"], robot["phenotype"], level, change, *ends_m])))
     write_table(HERE / "similar.csv", SIMILAR_COLUMNS, rows)
 
 
@@ -209,16 +288,21 @@ def similar_statistics():
     made = []
     if not file.exists():
         return
-    at = {(row["seed"], int(row["level"]), row["change"]): [float(row["dx_m"]), float(row["dy_m"])] for row in read_table(file)}
-    first = {row["seed"]: ends([row], 1)[0] for row in robots() if row["group"] == "two_scales"}
+    at = {(row["seed"], int(row["level"]), row["change"]): np.array([float(row["dx_m"]), float(row["dy_m"])]) for row in read_table(file)}
+    champions = {row["seed"]: row for row in robots() if row["group"] == "two_scales"}
+    of_export = not any(level == LEVELS[0] for _, level, _ in at)
+    if of_export:  # a table of before the walks as they are were simulated, too
+        at |= {(seed, LEVELS[0], "as_it_is"): ends([row], LEVELS[0])[0] for seed, row in champions.items()}
     for upper in LEVELS[1:]:
-        lower_of = {seed: first[seed] if upper == 2 else np.array(at[seed, 2, "as_it_is"]) for seed in first}
         for change, label in SIMILAR_LABELS.items():
-            seeds = [seed for seed in first if (seed, upper, change) in at and np.hypot(*lower_of[seed]) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3 ** (upper - 1)]
-            if not seeds:
+            pairs = [(at[seed, upper - 1, "as_it_is"], at[seed, upper, change]) for seed in champions
+                     if (seed, upper - 1, "as_it_is") in at and (seed, upper, change) in at]
+            pairs = [pair for pair in pairs if np.hypot(*pair[0]) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3 ** (upper - 1)]
+            if not pairs:
                 continue
+            label += OF_EXPORT if of_export and change == "as_it_is" else ""
             row = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
-            row |= outcome(np.array([lower_of[seed] for seed in seeds]), np.array([at[seed, upper, change] for seed in seeds]))
+            row |= outcome(*(np.array(side) for side in zip(*pairs)))
             made.append({key: cell(value) for key, value in row.items()})
     if made:
         write_table(HERE / "similar_statistics.csv", list(made[0]), made)
@@ -232,60 +316,98 @@ def by_dimension(rows, lower, upper):
     made = []
     for low, high in BINS:
         inside = [row for row in rows if low <= dimension(row) < high]
-        found = statistics_of("random", inside, lower, upper) if inside else None
+        found = statistics_of("random", GROUPS["random"], inside, lower, upper) if inside else None
         if found:
             made.append({"dimension_from": f"{low:g}", "dimension_to": f"{min(3.0, high):g}"} | {key: value for key, value in found.items() if key not in ("group", "label")})
     return made
 
 
+def dimension_tests(rows):
+    """Rank correlations of the Hausdorff dimension with the turn and with the change of speed, of all random robots that move."""
+    made = []
+    for lower in LEVELS[:-1]:
+        there = that_move(rows, lower, lower + 1) if rows else []
+        if len(there) < 3:
+            continue
+        angle, factor = angle_and_factor(ends(there, lower), ends(there, lower + 1))
+        row = {"levels": f"{lower} to {lower + 1}", "cells": f"{3**lower} to {3 ** (lower + 1)}", "robots": len(there)}
+        for name, values in (("angle", angle), ("speed", np.abs(np.log(np.maximum(factor, 1e-9))))):
+            found = spearman([dimension(one) for one in there], values)
+            row |= {f"{name}_spearman": found.value, f"{name}_spearman_low": found.low, f"{name}_spearman_high": found.high}
+        made.append({key: cell(value) for key, value in row.items()})
+    return made
+
+
 def summary():
     every = groups()
-    rows = [found for group, members in every.items() for lower in LEVELS[:-1] if (found := statistics_of(group, members, lower, lower + 1))]
+    sets = with_fastest(every)
+    rows = [found for group, (label, members) in sets.items() for lower in LEVELS[:-1] if (found := statistics_of(group, label, members, lower, lower + 1))]
     if not rows:
         raise InputError(f"{HERE / 'robots.csv'}: has no robot with two levels")
     write_table(HERE / "statistics.csv", list(rows[0]), rows)
+    if compared := comparisons(every):
+        write_table(HERE / "comparisons.csv", list(compared[0]), compared)
     similar_statistics()
+    if tests := dimension_tests(every.get("random", [])):
+        write_table(HERE / "dimension_tests.csv", list(tests[0]), tests)
     dimensions = by_dimension(every.get("random", []), 1, 2) + by_dimension(every.get("random", []), 2, 3)
     if dimensions:
         write_table(HERE / "dimension.csv", list(dimensions[0]), dimensions)
     draw(every, rows, dimensions)
 
 
-def draw(every, rows, dimensions):
-    """Angle and factor of every robot, and the shares by group and by dimension."""
-    pyplot = pyplot_for_svg()
-    styles = {"random": ("#999999", ".", 12), "one_scale": ("#E69F00", "s", 26), "two_scales": ("#0072B2", "o", 30), "three_scales": ("#D55E00", "D", 30)}
-    figure, axes = pyplot.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
+def draw_robots(panel, every):
+    """Angle and factor of every robot from 3 to 9 cells."""
+    styles = {"random": ("#888888", ".", 9), "one_scale": ("#E69F00", "s", 22), "two_scales": ("#0072B2", "o", 26), "three_scales": ("#D55E00", "D", 26)}
+    reach = 1.0
     for group, members in every.items():
-        angle, factor = angle_and_factor(*moving(members, 1, 2))
+        lower_m, upper_m = moving(members, 1, 2)
+        if not len(lower_m):
+            continue
+        angle, factor = angle_and_factor(lower_m, upper_m)
+        factor = np.maximum(factor, 1e-6)
+        reach = max(reach, factor.max(), 1.0 / factor.min())
         colour, mark, size = styles[group]
-        axes[0].scatter(angle, np.clip(factor, 0.02, 50.0), c=colour, marker=mark, s=size, label=GROUPS[group])
-    axes[0].add_patch(pyplot.Rectangle((0, 1 / LARGEST_FACTOR), LARGEST_ANGLE_DEG, LARGEST_FACTOR - 1 / LARGEST_FACTOR, fill=False, linestyle="--"))
-    axes[0].set(yscale="log", ylim=(0.018, 55), xlim=(0, 180), xticks=range(0, 181, 45), xlabel="angle between ways at 3 and 9 cells (degrees)",
-                ylabel="speed in body lengths, 9 over 3 cells\n(clipped at 1/50 and 50)")
-    axes[0].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.5, -0.16))
-    shown = [(f"{row['label']}\n{row['cells']} cells (n = {row['robots']})", row) for row in rows]
-    places = range(len(shown))
-    values = [float(row["carried_over"]) for _, row in shown]
-    spans = [[value - float(row["carried_over_low"]) for value, (_, row) in zip(values, shown)],
-             [float(row["carried_over_high"]) - value for value, (_, row) in zip(values, shown)]]
-    axes[1].errorbar(values, places, xerr=spans, fmt="o", color="#0072B2", capsize=3, label="with 95 % interval")
-    chance = [(float(row["by_chance"]), place) for place, (_, row) in enumerate(shown) if row["by_chance"]]
-    axes[1].scatter(*zip(*chance), marker="x", color="#222222", label="robots paired by chance")
-    axes[1].set_yticks(places, [name for name, _ in shown])
-    axes[1].set(xlim=(0, 1), xlabel="share that carries over")
-    axes[1].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.4, -0.16))
-    for levels, colour, mark in (("1 to 2", "#0072B2", "o"), ("2 to 3", "#D55E00", "D")):
-        bins = [row for row in dimensions if row["levels"] == levels]
-        middles = [0.5 * (float(row["dimension_from"]) + float(row["dimension_to"])) for row in bins]
-        heights = [float(row["carried_over"]) for row in bins]
-        spans = [[height - float(row["carried_over_low"]) for height, row in zip(heights, bins)],
-                 [float(row["carried_over_high"]) - height for height, row in zip(heights, bins)]]
-        if bins:
-            axes[2].errorbar(middles, heights, yerr=spans, fmt=mark, color=colour, capsize=3, label=f"{bins[0]['cells']} cells")
-    axes[2].set(ylim=(0, 1), xlim=(1, 3), xlabel="Hausdorff dimension of random robots", ylabel="share that carries over")
-    axes[2].legend(loc="upper center", fontsize=8, ncols=2, bbox_to_anchor=(0.5, -0.16))
-    for panel in axes:
+        panel.scatter(angle, factor, c=colour, marker=mark, s=size, label=f"{GROUPS[group]} (n = {len(angle)})", zorder=2 if group == "random" else 3,
+                      edgecolors="none" if group == "random" else "white", linewidths=0.5, clip_on=False)
+    low, high = 1.0 / LARGEST_FACTOR, LARGEST_FACTOR
+    panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1)
+    panel.annotate("carries over", (LARGEST_ANGLE_DEG - 1, high * 1.1), ha="right", va="bottom")
+    panel.set(yscale="log", ylim=(0.7 / reach, 1.4 * reach), xlim=(-3, 183), xticks=range(0, 181, 45), xlabel="angle between the ways at 3 and 9 cells (degrees)",
+              ylabel="speed in body lengths,\n9 over 3 cells")
+    panel.legend(loc="upper left", bbox_to_anchor=(0.0, 1.0), framealpha=0.9)
+
+
+def draw_shares(panel, rows, names, positions):
+    """Three shares of each row with intervals, and a cross for what chance gives. The longer axis of the panel is that of the shares."""
+    styles = {"carried_over": ("#0072B2", "o", "both: carries over"), "same_way": ("#D55E00", "D", "the same way"), "like_speed": ("#009E73", "s", "the same speed")}
+    chance_of = {"carried_over": "by_chance", "same_way": "same_way_by_chance", "like_speed": "like_speed_by_chance"}
+    for shift, (name, (colour, mark, label)) in zip((-0.22, 0.0, 0.22), styles.items()):
+        values = [float(row[name]) for row in rows]
+        spans = [[value - float(row[f"{name}_low"]) for value, row in zip(values, rows)], [float(row[f"{name}_high"]) - value for value, row in zip(values, rows)]]
+        places = [place + shift for place in positions]
+        panel.errorbar(values, places, xerr=spans, fmt=mark, color=colour, capsize=2, markersize=4, linewidth=1, label=label)
+        chance = [(float(row[chance_of[name]]), place) for row, place in zip(rows, places) if row[chance_of[name]] != ""]
+        if chance:
+            panel.scatter(*zip(*chance), marker="x", s=16, linewidths=1, color="#222222", zorder=4, label="by chance" if name == "like_speed" else None)
+    panel.set_yticks(positions, names)
+    panel.set(xlim=(-0.02, 1.02), ylim=(max(positions) + 0.6, min(positions) - 0.6), xlabel="share of robots, with 95 % interval")
+
+
+def draw(every, rows, dimensions):
+    """Angle and factor of every robot, and the shares by group and by dimension; readable where it is printed 6.5 inches wide."""
+    pyplot = pyplot_for_svg()
+    pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
+    heights = (2.9, 0.9 + 0.36 * len(rows), 0.7 + 0.36 * len(dimensions))
+    figure, axes = pyplot.subplots(3, 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights)
+    draw_robots(axes[0], every)
+    draw_shares(axes[1], rows, [f"{row['label']},\n{row['cells']} cells (n = {row['robots']})" for row in rows], range(len(rows)))
+    axes[1].legend(loc="upper center", bbox_to_anchor=(0.3, -0.2), ncols=4)
+    names = [f"H from {row['dimension_from']} to {row['dimension_to']},\n{row['cells']} cells (n = {row['robots']})" for row in dimensions]
+    if dimensions:
+        draw_shares(axes[2], dimensions, names, range(len(dimensions)))
+    for panel, letter, title in zip(axes, "abc", ("robots from 3 to 9 cells per side", "how many do the same at the next scale", "random robots by their Hausdorff dimension H")):
+        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
     write_svg(figure, HERE / "scale_invariance.svg")

@@ -79,7 +79,7 @@ class Case(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.tree = pathlib.Path(folder.name)
         for name in ("sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/population.toml",
-                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "fractal/trials.py"):
+                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "fractal/trials.py", "fractal/two_scales.toml"):
             place = self.tree / "paper" / name
             place.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(SOURCES / "paper" / name, place)
@@ -312,16 +312,80 @@ class ScaleInvariance(Case):
             self.done(self.script, "champion", self.tree / "champion", "one_scale", "4")
         self.done(self.script, "summary")
         found = {(row["group"], row["levels"]): row for row in table_of(folder / "statistics.csv")}
-        self.assertEqual(set(found), {("random", "1 to 2"), ("random", "2 to 3"), ("one_scale", "1 to 2")})
+        self.assertEqual(set(found), {(group, levels) for group in ("random", "random_25") for levels in ("1 to 2", "2 to 3")} | {("one_scale", "1 to 2")})
         chance = found["random", "1 to 2"]
         # The last one stands still at level 1, and goes on as it did from level 2.
         self.assertEqual(found["random", "2 to 3"]["robots"], "41")
         self.assertEqual((chance["robots"], chance["carried_over"], chance["same_way"], chance["speed_factor"]), ("40", "0.75", "0.75", "1"))
         self.assertLess(float(chance["by_chance"]), 0.5)
+        self.assertEqual((chance["like_speed"], chance["same_way_by_chance"]), ("1", "0.75"), "whichever robot is taken, 30 of 40 did not turn")
+        # The fastest are the last 25 of 40, of which 10 turn: a fitness of 0.2 (n + 1) body lengths in 5 s, so that the median is that of n = 27.
+        fast = found["random_25", "1 to 2"]
+        self.assertEqual((fast["robots"], fast["carried_over"], fast["like_speed"]), ("25", "0.6", "1"))
+        self.assertAlmostEqual(float(fast["fitness_per_minute"]), 0.2 * 28 * 12, delta=0.1)
+        self.assertLess(float(fast["carried_over_low"]), 0.5)
+        tested = {(row["groups"], row["levels"]): row for row in table_of(folder / "comparisons.csv")}
+        # The only champion is one of 31 of 41 that go the same way, and the 1 of 41 that goes three times as fast.
+        one = tested["one_scale and random", "1 to 2"]
+        self.assertEqual((one["robots"], one["other_robots"], one["p_same_way"], one["as_fit_as_the_slowest"]), ("1", "40", "1", "39"))
+        self.assertAlmostEqual(float(one["p_like_speed"]), 1 / 41, delta=1e-4)
         champion = found["one_scale", "1 to 2"]
         self.assertEqual((champion["robots"], champion["carried_over"], champion["same_way"], champion["speed_factor"]), ("1", "0", "1", "3"))
         self.assertTrue(table_of(folder / "dimension.csv"))
         xml.dom.minidom.parse(str(folder / "scale_invariance.svg"))
+
+    def champions(self, rows):
+        """Writes robots.csv: group, seed, phenotype, and ends at levels."""
+        columns = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2, 3) for axis in "xy"]
+        write(self.tree / "paper/scale_invariance/robots.csv", columns, [[group, seed, seed, 3, digits, *ends] for group, seed, digits, *ends in rows])
+
+    def test_finds_what_the_dimension_does(self):
+        # The more cells, the more robots turn, and the less their speed changes.
+        rows = []
+        for cells in range(3, 28):
+            turn, factor = math.radians(5 * cells), math.exp(3.0 / cells)
+            rows.append(["random", cells, "1" * cells + "0" * (27 - cells), 0.03, 0.0, 0.09 * factor * math.cos(turn), 0.09 * factor * math.sin(turn), "", ""])
+        self.champions(rows)
+        self.done(self.script, "summary")
+        (found,) = table_of(self.tree / "paper/scale_invariance/dimension_tests.csv")
+        self.assertEqual((found["levels"], found["robots"]), ("1 to 2", "25"))
+        self.assertEqual([found[f"angle_spearman{end}"] for end in ("", "_low", "_high")], ["1", "1", "1"])
+        self.assertEqual([found[f"speed_spearman{end}"] for end in ("", "_low", "_high")], ["-1", "-1", "-1"])
+
+    def test_similar_scenes_differ_in_weight_and_stiffness_only(self):
+        self.champions([["two_scales", 1, body(1), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0], ["two_scales", 2, body(2), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0],
+                        ["random", 3, body(3), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0]])
+        scenes = self.tree / "scenes"
+        self.done(self.script, "similar", scenes)
+        self.assertEqual(len(list(scenes.glob("*.toml"))), 2 * (1 + 2 * 4))
+        study = tomllib.loads((SOURCES / "paper/fractal/two_scales.toml").read_text())
+        plain = tomllib.loads((scenes / "1_2_as_it_is.toml").read_text())
+        self.assertEqual(plain["integration"], study["integration"])
+        changed = tomllib.loads((scenes / "1_2_weight_and_stiffness.toml").read_text())
+        self.assertAlmostEqual(changed["loads"].pop("gravity_m_per_s2"), 3 * plain["loads"].pop("gravity_m_per_s2"))
+        self.assertAlmostEqual(changed["materials"].pop("youngs_modulus_Pa"), 9 * plain["materials"].pop("youngs_modulus_Pa"))
+        self.assertEqual(changed, plain)
+
+        # As it is the first one keeps its speed, with more weight it has half of it, and a third of that is no more like it.
+        def walked(name, far_m):
+            (scenes / name).mkdir()
+            (scenes / name / "result.toml").write_text(f"displacement_m = [{far_m}, 0.0, 0.0]\n")
+
+        for name, far_m in (("1_1_as_it_is", 0.02), ("1_2_as_it_is", 0.06), ("1_2_weight", 0.03), ("1_2_stiffness", 0.02), ("2_2_weight", 0.03)):
+            walked(name, far_m)
+        self.done(self.script, "simulated", scenes)
+        self.done(self.script, "summary")
+        folder = self.tree / "paper/scale_invariance"
+        found = {row["change"]: row for row in table_of(folder / "similar_statistics.csv")}
+        self.assertEqual({change: (row["robots"], row["speed_factor"], row["like_speed"]) for change, row in found.items()},
+                         {"as_it_is": ("1", "1", "1"), "weight": ("1", "0.5", "1"), "stiffness": ("1", "0.3333", "0")}, "the second one has no baseline")
+        self.assertEqual(found["as_it_is"]["label"], "as it is")
+        # Without the smallest level the table is of before: the baseline is the search's, and says so.
+        write(folder / "similar.csv", ["seed", "phenotype", "level", "change", "dx_m", "dy_m"], [[1, body(1), 2, "as_it_is", 0.09, 0.0], [1, body(1), 2, "weight", 0.045, 0.0]])
+        self.done(self.script, "summary")
+        found = {row["change"]: row for row in table_of(folder / "similar_statistics.csv")}
+        self.assertEqual((found["as_it_is"]["label"], found["weight"]["label"]), ("as it is, other integration", "gravity x 3"))
+        self.assertEqual((found["as_it_is"]["speed_factor"], found["weight"]["speed_factor"]), ("1", "0.5"))
 
     def test_refuses_what_it_does_not_know(self):
         self.refused("ham: must be one of random, one_scale", self.script, "champion", self.tree, "ham", "1")

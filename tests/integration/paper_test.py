@@ -135,6 +135,14 @@ class Tables(PaperTest):
             self.assertEqual(self.tables("fill").returncode, 0)
             self.assertIn(f"-->{shown}<!--", self.text())
 
+    def test_empty_cells_are_dashes_in_rows_and_refused_in_sentences(self):
+        self.put("paper/one/walk.csv", "friction,way_m\n0.2,\n")
+        self.put("paper/results.md", TEXT[: TEXT.index("It goes")])
+        self.assertEqual(self.tables("fill").returncode, 0)
+        self.assertIn("| 0.2 | – mm |", self.text())
+        self.put("paper/results.md", TEXT)
+        self.assertIn("cannot be shown so", self.tables("fill").stderr)
+
     def test_rows_are_found_by_several_columns(self):
         self.put("paper/one/walk.csv", "body,kind,error\nall,volume,1\nall,force,2\n")
         self.put("paper/results.md", "<!-- value: paper/one/walk.csv {all:force/error} --><!-- end -->")

@@ -39,6 +39,12 @@ class SampleStatistics(unittest.TestCase):
         found = statistics.rank_sum([1, 2, 2], [2, 2, 3])
         self.assertAlmostEqual(found.larger.value, (0 + 0.5 * 4 + 0) / 9)
 
+    def test_fisher_of_tea(self):
+        # A lady tells 3 of 4 cups right on both sides: Fisher, The Design of Experiments (1935), chapter 2: 17 of 70 orders are as extreme
+        # on one side.
+        self.assertAlmostEqual(statistics.fisher(3, 4, 1, 4), 34 / 70)
+        self.assertAlmostEqual(statistics.fisher(4, 4, 0, 4), 2 / 70)
+
     def test_spearman_of_tuna(self):
         # Hunter's L and panel scores of canned tuna: Hollander and Wolfe (1973), p. 185: the squares of rank differences sum to 48.
         lightness = [44.4, 45.9, 41.9, 53.3, 44.7, 44.1, 50.7, 45.2, 60.1]
