@@ -13,6 +13,12 @@
 #   table, gather         paper/tables.py take and gather, which make small tables of results
 #   search STUDY          runs a search and makes the table STUDY.csv of its generations
 #   search STUDY SEED     the same with another seed, and the table STUDY/SEED.csv
+#   champion STUDY        keeps the champion of such a search in champions.csv, with a small picture
+#   trial STUDY SEED [N]  a long trial at three scales, and the table three_scales/SEED.csv; N generations in place of the study's
+#   "${generations[@]}"   an option for other calls of menger evolve
+# GENERATIONS=N in the environment gives the searches of the paper N generations, whatever their study says:
+#   GENERATIONS=325 ./run paper fractal two_scales_1
+# A search whose archive is there goes on from it; one whose archive is gone begins anew.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -33,7 +39,8 @@ read_experiment() {
 
 list() {
   local name
-  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon:"
+  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon."
+  echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, phase_wave, single_actuator and scale_invariance N generations:"
   for name in $(experiments); do
     printf '%s: %s\n' "$name" "$(sed -n '1s/^# //p' "paper/$name/experiment.sh")"
     (
@@ -59,13 +66,30 @@ menger() {
   fi
 }
 
+# For menger evolve: what GENERATIONS asks for, or else a number that is given, or else nothing.
+generations_or() {
+  generations=()
+  [ -z "${GENERATIONS:-$1}" ] || generations=(--generations "${GENERATIONS:-$1}")
+}
+
 # Runs the search of a study, one of several if a seed is given, and keeps the table of its generations.
 search() {
   local out=$results/$1${2:+_$2} kept=$study/$1${2:+/$2}.csv
-  menger evolve "$study/$1.toml" ${2:+--seed "$2"} --output "$out.sqlite"
+  menger evolve "$study/$1.toml" ${2:+--seed "$2"} --output "$out.sqlite" "${generations[@]}"
   menger export "$out.sqlite" --output "$out" --levels 1 --no-frames --no-pictures
   mkdir -p "$(dirname "$kept")"
   table "$out/generations.csv" "$kept"
+}
+
+champion() { paper/champion.py take "$results/$1" "$study/$1.toml" "$(sed -n 's/^seed = //p' "$study/$1.toml")" "$study/champions.csv"; }
+
+trial() {
+  local code=0 out=$results/three_scales_$2 generations
+  generations_or "${3:-}"
+  paper/fractal/trial.sh "$study/$1.toml" "$out" build/release/bin "" --seed "$2" "${generations[@]}" || code=$?
+  [ $code -eq 0 ] || exit $code
+  mkdir -p "$study/three_scales"
+  table "$out/generations.csv" "$study/three_scales/$2.csv"
 }
 
 table() { paper/tables.py take "$@"; }
@@ -96,6 +120,11 @@ run() {
   paper/tables.py fill
   say "done: small tables are in $study, and the texts say what they say (git diff shows what is new)"
 }
+
+if ! [[ ${GENERATIONS:-0} =~ ^[0-9]+$ ]]; then
+  refuse "GENERATIONS=$GENERATIONS: must be a whole number"
+fi
+generations_or ""
 
 only_check=
 if [ "${1:-}" = --check ]; then

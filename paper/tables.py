@@ -42,6 +42,7 @@ from small_tables import InputError, write_table, write_whole  # noqa: E402
 BLOCK = re.compile(r"<!-- table: (?P<table>[^\n]*)\n(?P<form>.*?)\n-->\n(?P<lines>(?:(?!<!-- ).)*?)<!-- end -->", re.DOTALL)
 VALUE = re.compile(r"<!-- value: (?P<table>\S+) (?P<form>\{[^}\n]*\}) -->(?P<text>[^\n]*?)<!-- end -->")
 OPENING = re.compile(r"<!-- (table|value): ")
+NO_VALUE = "–"
 PLACE = re.compile(r"\{([^{}\n]*)\}")
 CELL = re.compile(r"(?:(?P<row>[^/]+)/)?(?P<column>[^/*\s]+)(?:\*(?P<scale>[0-9.eE+-]+))?(?: (?P<format>\S+))?")
 
@@ -103,7 +104,7 @@ def filled(line, table, row):
             raise InputError(f"{{{place[1]}}} is no {{ROW/COLUMN FORMAT}}")
         text = table.cell(table.row(found["row"]) if found["row"] else row, found["column"])
         if not text and not found["row"]:
-            return "–"
+            return NO_VALUE
         try:
             return shown(text, found["scale"], found["format"])
         except ValueError as error:
@@ -116,12 +117,19 @@ def is_of_every_row(line):
     return any("/" not in place for place in PLACE.findall(line))
 
 
+def without_lone_dashes(line):
+    """The line with columns that have a dash in place of each number, such as "– (– to –) %", as one dash."""
+    columns = line.split("|")
+    return "|".join(f" {NO_VALUE} " if column.strip().startswith(NO_VALUE) and not re.search(r"[0-9]", column) else column for column in columns).strip()
+
+
 def lines_of(form, table):
     """The lines of Markdown that a form and a table give."""
     header, *rest = form.split("\n")
     lines = [header]
     for line in rest:
         lines += [filled(line, table, row) for row in table.rows] if is_of_every_row(line) else [filled(line, table, None)]
+    lines[1:] = [without_lone_dashes(line) for line in lines[1:]]
     columns = header.count("|")
     for line in lines:
         if line.count("|") != columns:

@@ -6,15 +6,17 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "in_pieces_$seed" "3 min of two cores" "the same where aggregates may fall apart"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
-part_on_request three_scales "9 h of two cores" "a trial in single precision: 325 generations at three scales"
+part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
+part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
+part_on_request full "4 days of two cores" "ten such trials, seeds 1 to 10: the paper's experiment"
 part_on_request small "10 s" "three generations of small bodies"
 
-# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
-three_scales() {
-  local code=0
-  paper/fractal/trial.sh "$study/single_precision.toml" "$results/trial" build/release/bin || code=$?
-  [ $code -eq 0 ] || exit $code
-  table "$results/trial/generations.csv" "$study/trial.csv"
+three_scales_40() { trial single_precision 1 40; }
+three_scales() { trial single_precision 1; }
+
+full() {
+  local seed
+  for seed in 1 2 3 4 5 6 7 8 9 10; do trial single_precision "$seed"; done
 }
 
 for seed in 1 2 3 4 5 6 7 8 9 10; do
@@ -22,5 +24,6 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "in_pieces_$seed() { search two_scales_in_pieces $seed; }"
 done
 
+# shellcheck disable=SC2154  # $study is that of run_experiment.sh
 statistics() { "$study/trials.py"; }
 small() { search small; }

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv and trials.svg.
 
-trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv
+trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
+             and three_scales/SEED.csv in both folders
 
-Exit codes: 0 done, 2 wrong input.
+Arms of different lengths are compared at the last generation that both have. Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
@@ -18,10 +19,15 @@ from sample_statistics import mean, rank_sum, share  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
-ARMS = {"fractal": (HERE / "two_scales", "fractal", "#0072B2", "-"),
-        "in_pieces": (HERE / "two_scales_in_pieces", "fractal, aggregates may fall apart", "#56B4E9", "--"),
-        "non_fractal": (HERE.parent / "non_fractal" / "two_scales", "arrangement evolved apart", "#D55E00", "-.")}
-COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"))
+LEVELS = (1, 2, 3)
+ARMS = {"fractal": (HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
+        "in_pieces": (HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v"),
+        "non_fractal": (HERE.parent / "non_fractal" / "two_scales", "arranged apart", "#D55E00", "-.", "s"),
+        "three_scales": (HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
+        "non_fractal_three_scales": (HERE.parent / "non_fractal" / "three_scales", "apart, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^")}
+SCALE_STYLES = {1: ("#E69F00", "-"), 2: ("#0072B2", "--"), 3: ("#CC79A7", ":")}
+WITHOUT_DIMENSION = ("non_fractal", "non_fractal_three_scales")  # no fractals, which have none
+COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"))
 DURATION_S = 5.0
 PER_MINUTE = 60.0 / DURATION_S
 
@@ -35,39 +41,64 @@ class Trial:
             raise InputError(f"{file}: has no generation")
         self.seed = int(file.stem)
         # Before any robot has a fitness the best is none.
-        self.best = np.array([float(row["best_fitness_body_lengths"] or 0.0) for row in self.rows]) * PER_MINUTE
-        self.dimension = np.array([float(row["hausdorff_dimension"] or "nan") for row in self.rows])
+        self.best = self.column("best_fitness_body_lengths", "0") * PER_MINUTE
+        self.dimension = self.column("hausdorff_dimension", "nan")
         self.cells = int(self.rows[-1]["champion_cells"])
-        self.speeds = [float(self.rows[-1][f"level_{level}_displacement_body_lengths"]) * PER_MINUTE for level in (1, 2)]
+        columns = {level: f"level_{level}_displacement_body_lengths" for level in LEVELS}
+        self.speeds = {level: self.column(column, "nan") * PER_MINUTE for level, column in columns.items() if column in self.rows[0]}
+
+    def column(self, name, otherwise):
+        return np.array([float(row[name] or otherwise) for row in self.rows])
+
+    def last_speed(self, level):
+        return float(self.speeds[level][-1]) if level in self.speeds else None
 
 
 def trials_of(folder):
     trials = [Trial(file) for file in sorted(folder.glob("*.csv"), key=lambda file: int(file.stem))]
-    if len({len(trial.best) for trial in trials}) > 1:
-        raise InputError(f"{folder}: its trials have different numbers of generations")
+    lengths = {len(trial.best) - 1: trial.seed for trial in trials}
+    if len(lengths) > 1:
+        said = " and ".join(f"{count} (seed {seed})" for count, seed in sorted(lengths.items()))
+        raise InputError(f"{folder}: its trials have different numbers of generations, {said}: run the shorter ones on with GENERATIONS, or remove their tables")
     return trials
 
 
 def champions(arms):
-    return [{"arm": arm, "seed": trial.seed, "body_lengths_per_minute": float(trial.best[-1]), "level_1_per_minute": trial.speeds[0],
-             "level_2_per_minute": trial.speeds[1], "cells": trial.cells, "dimension": float(trial.dimension[-1]) if np.isfinite(trial.dimension[-1]) else None}
+    return [{"arm": arm, "seed": trial.seed, "generations": len(trial.best) - 1, "body_lengths_per_minute": float(trial.best[-1])}
+            | {f"level_{level}_per_minute": trial.last_speed(level) for level in LEVELS}
+            | {"cells": trial.cells, "dimension": float(trial.dimension[-1]) if np.isfinite(trial.dimension[-1]) else None}
             for arm, trials in arms.items() for trial in trials]
 
 
+def with_interval(name, count, of):
+    found = share(count, of)
+    return {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high}
+
+
+def dimensions_of(arm, trials):
+    """How many fractal trials end with nine cells, as a plane has, and how many between 2.5 and 2.7; nothing for others."""
+    names = ("dimension_2", "dimension_2.5_to_2.7")
+    if arm in WITHOUT_DIMENSION:
+        return {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")}
+    ends = [trial.dimension[-1] for trial in trials]
+    return with_interval(names[0], sum(abs(end - 2.0) < 1e-9 for end in ends), len(ends)) | with_interval(names[1], sum(2.5 < end < 2.7 for end in ends), len(ends))
+
+
 def statistics(arms):
+    """Of the scales the largest is compared with the one before it."""
     rows = []
     for arm, trials in arms.items():
         first, last = mean([trial.best[0] for trial in trials]), mean([trial.best[-1] for trial in trials])
-        slower = share(sum(trial.speeds[1] < trial.speeds[0] for trial in trials), len(trials))
-        scales = rank_sum([trial.speeds[0] for trial in trials], [trial.speeds[1] for trial in trials])
+        levels = list(trials[0].speeds)
+        smaller, larger = ([trial.last_speed(level) for trial in trials] for level in levels[-2:])
+        slower = share(sum(one < other for one, other in zip(larger, smaller)), len(trials))
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1,
                      "first": first.value, "first_low": first.low, "first_high": first.high,
                      "last": last.value, "last_low": last.low, "last_high": last.high,
                      "p_first_last": rank_sum([trial.best[-1] for trial in trials], [trial.best[0] for trial in trials]).p,
+                     "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}",
                      "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
-                     "p_scales": scales.p,
-                     "plane": sum(trial.cells == 9 and trial.dimension[-1] == 2.0 for trial in trials),
-                     "dimension_2.5_to_2.7": sum(2.5 < trial.dimension[-1] < 2.7 for trial in trials)})
+                     "p_scales": rank_sum(smaller, larger).p} | dimensions_of(arm, trials))
     return rows
 
 
@@ -76,44 +107,101 @@ def comparisons(arms):
     for first, second in COMPARISONS:
         if first not in arms or second not in arms:
             continue
-        ends = [[trial.best[-1] for trial in arms[arm]] for arm in (first, second)]
+        shared = min(len(arms[arm][0].best) for arm in (first, second)) - 1
+        ends = [[trial.best[shared] for trial in arms[arm]] for arm in (first, second)]
         test = rank_sum(*ends)
-        rows.append({"arms": f"{first} and {second}", "trials": len(ends[0]), "other_trials": len(ends[1]), "p": test.p, "larger": test.larger.value,
-                     "larger_low": test.larger.low, "larger_high": test.larger.high,
+        rows.append({"arms": f"{first} and {second}", "trials": len(ends[0]), "other_trials": len(ends[1]), "generations": shared, "p": test.p,
+                     "larger": test.larger.value, "larger_low": test.larger.low, "larger_high": test.larger.high,
                      "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))})
     return rows
 
 
-def draw(arms):
-    """Best robots over generations with intervals, those of the ends, and the dimension of fractal champions."""
-    pyplot = pyplot_for_svg()
-    figure, axes = pyplot.subplots(1, 3, figsize=(13, 4.0), layout="constrained", width_ratios=(1.2, 0.9, 1.2))
+def draw_mean(panel, curves, colour, dashes, label):
+    """The mean of curves with its 95 % interval, which one curve has not."""
+    curves = np.array(curves)
+    curves = curves[:, ~np.isnan(curves).any(axis=0)]
+    generations = range(np.shape(curves)[1])
+    panel.plot(generations, curves.mean(axis=0), linestyle=dashes, color=colour, label=label)
+    if len(curves) > 1:
+        spans = [mean(column) for column in curves.T]
+        low, high = ([end if end is not None else span.value for span in spans for end in [getattr(span, side)]] for side in ("low", "high"))
+        panel.fill_between(generations, low, high, color=colour, alpha=0.2, linewidth=0)
+
+
+def draw_fitness(panel, arms):
     for arm, trials in arms.items():
-        _, label, colour, dashes = ARMS[arm]
-        best = np.array([trial.best for trial in trials])
-        generations = range(best.shape[1])
-        axes[0].plot(generations, best.mean(axis=0), dashes, color=colour, label=f"{label} (n = {len(trials)})")
-        if len(trials) > 1:
-            spans = [mean(column) for column in best.T]
-            low, high = ([end if end is not None else span.value for span in spans for end in [getattr(span, side)]] for side in ("low", "high"))
-            axes[0].fill_between(generations, low, high, color=colour, alpha=0.15, linewidth=0)
-        place = list(arms).index(arm)
-        spread = np.linspace(-0.15, 0.15, len(trials)) if len(trials) > 1 else [0.0]
-        axes[1].plot(place + np.asarray(spread), best[:, -1], "o", color=colour, markersize=4)
-        axes[1].plot([place - 0.25, place + 0.25], [np.median(best[:, -1])] * 2, color=colour)
-        if arm == "fractal":
-            for trial in trials:
-                axes[2].plot(generations, trial.dimension, color=colour, alpha=0.6, linewidth=1)
-    axes[0].set(xlabel="generation", ylabel="fitness of the best robot\n(body lengths per minute, mean and 95 % interval)", ylim=(0, None))
-    axes[0].legend(loc="upper left", fontsize=8)
-    axes[1].set(ylabel="best robot at the end\n(body lengths per minute; line: median)", ylim=(0, None), xlim=(-0.5, len(arms) - 0.5))
-    axes[1].set_xticks(range(len(arms)), [ARMS[arm][1].replace(", ", ",\n").replace(" evolved", "\nevolved") for arm in arms])
-    axes[2].set(xlabel="generation", ylabel="Hausdorff dimension of the best robot\n(a line for each fractal trial)", ylim=(0.9, 3.1))
-    for panel in (axes[0], axes[2]):
-        panel.xaxis.get_major_locator().set_params(integer=True)
-    for panel in axes:
+        _, label, colour, dashes, _ = ARMS[arm]
+        draw_mean(panel, [trial.best for trial in trials], colour, dashes, f"{label} (n = {len(trials)})")
+    panel.set(xlabel="generation", ylabel="fitness, mean over trials\n(body lengths per minute)", ylim=(0, None))
+    panel.legend(loc="lower right")
+
+
+def draw_ends(panel, arms):
+    for place, (arm, trials) in enumerate(arms.items()):
+        _, _, colour, _, mark = ARMS[arm]
+        ends = [trial.best[-1] for trial in trials]
+        panel.plot(place + np.linspace(-0.28, 0.28, len(ends)) if len(ends) > 1 else [place], ends, mark, color=colour, markersize=3.5)
+        panel.plot([place - 0.38, place + 0.38], [np.median(ends)] * 2, color="#222222", linewidth=1.2)
+    highest = max(trial.best[-1] for trials in arms.values() for trial in trials)
+    panel.set(ylabel="fitness at the end\n(body lengths per minute)", ylim=(0, 1.08 * highest), xlim=(-0.6, len(arms) - 0.4))
+    panel.set_xticks(range(len(arms)), [f"{ARMS[arm][1].replace(', ', chr(10))}\n({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
+
+
+def draw_scales(panel, trials):
+    for level in trials[0].speeds:
+        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")
+    panel.set(xlabel="generation", ylim=(0, None))
+
+
+def draw_dimensions(panel, trials):
+    """A line of steps for each trial, a hair beside those with the same cells, and a point for each at the end."""
+    colours = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+    panel.axhspan(2.5, 2.7, color="#F0E442", alpha=0.3, linewidth=0)
+    panel.axhline(2.0, color="#222222", linestyle="--", linewidth=1)
+    last = max(1, len(trials[0].dimension) - 1)
+    taken = {}
+    for place, trial in enumerate(trials):
+        style = {"color": colours[place % len(colours)]}
+        shifted = trial.dimension + 0.005 * (place - (len(trials) - 1) / 2)
+        panel.step(range(len(shifted)), shifted, where="post", linewidth=1, linestyle=("-", "--", ":")[place // len(colours) % 3], **style)
+        end = round(float(trial.dimension[-1]), 6)
+        taken[end] = taken.get(end, 0) + 1
+        panel.plot([last * (1.01 + 0.02 * taken[end])], [end], "o", markersize=3.5, **style)
+    right = last * (1.03 + 0.02 * max(taken.values()))
+    for height, text in ((2.6, "2.5 to 2.7"), (2.0, "H = 2,\nas a plane")):
+        panel.annotate(text, (right, height), xytext=(3, 0), textcoords="offset points", va="center", annotation_clip=False)
+    lowest = min(np.nanmin(trial.dimension) for trial in trials)
+    panel.set(xlabel="generation (at the end a point for each trial)", ylabel="Hausdorff dimension H\nof the best robot", ylim=(min(1.75, lowest - 0.1), 3.08), xlim=(0, right))
+
+
+def draw(arms):
+    """Fitness over generations and at the end, the scales apart, and the dimension; readable where it is printed 6.5 inches wide."""
+    pyplot = pyplot_for_svg()
+    pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
+    by_scale = [arm for arm in ("fractal", "non_fractal", "three_scales", "non_fractal_three_scales") if arm in arms]
+    with_dimension = "fractal" if "fractal" in arms else next((arm for arm in arms if arm not in WITHOUT_DIMENSION), None)
+    figure = pyplot.figure(figsize=(6.5, 7.6), layout="constrained")
+    grid = figure.add_gridspec(3, 12, height_ratios=(1.1, 1.0, 1.1))
+    panels = [(figure.add_subplot(grid[0, :6]), "best robot"), (figure.add_subplot(grid[0, 6:]), "trials at the end (line: median)")]
+    draw_fitness(panels[0][0], arms)
+    draw_ends(panels[1][0], arms)
+    if by_scale:
+        width = 12 // len(by_scale)
+        for place, arm in enumerate(by_scale):
+            panel = figure.add_subplot(grid[1, place * width : (place + 1) * width], sharey=panels[2][0] if place else None)
+            panels.append((panel, ARMS[arm][1]))
+            draw_scales(panel, arms[arm])
+        panels[2][0].set_ylabel("speed of the best robot by scale\n(body lengths per minute)")
+        panels[2][0].legend(loc="lower right")
+    if with_dimension:
+        panels.append((figure.add_subplot(grid[2, :]), f"dimension, {ARMS[with_dimension][1]}"))
+        draw_dimensions(panels[-1][0], arms[with_dimension])
+    for (panel, title), letter in zip(panels, "abcdefg"):
+        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
+        if panel is not panels[1][0]:
+            panel.xaxis.get_major_locator().set_params(integer=True)
     write_svg(figure, HERE / "trials.svg")
 
 

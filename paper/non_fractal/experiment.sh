@@ -2,12 +2,21 @@
 for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
   part "two_scales_$seed" "3 min of two cores" "20 generations at the scales of 3 and 9 cells"
 done
-part_on_request three_scales "about a day of two cores" "a trial: 325 generations at three scales"
+part_on_request three_scales_40 "about 1 h of two cores" "a trial in single precision: 40 generations at three scales"
+part_on_request three_scales "about 9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
+part_on_request full "about 6 days of two cores" "fifteen such trials, seeds 1001 to 1015: the paper's control"
 part_on_request small "10 s" "three generations of small bodies"
 
 for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
   # Another seed than that of a fractal: with the same one, both would begin with the same basal bodies.
   eval "two_scales_$seed() { search two_scales $((1000 + seed)); }"
 done
-three_scales() { search study; }
+three_scales_40() { trial single_precision 1001 40; }
+three_scales() { trial single_precision 1001; }
+
+full() {
+  local seed
+  for seed in {1001..1015}; do trial single_precision "$seed"; done
+}
+
 small() { search small; }

@@ -4,7 +4,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
 done
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
-part_on_request three_scales "a minute" "the champion of ./run paper fractal three_scales"
+part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
 part_on_request similar "30 min of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
 part summary "1 min" "the tables and the picture of all robots that there are"
 
@@ -18,34 +18,36 @@ random() {
 }
 
 # The champion of an archive, simulated at three levels: group, seed, archive.
-champion() {
+walks_of_champion() {
   menger export "$3" --output "$results/$1_$2" --levels 1 2 3 --no-frames --no-pictures
   robots champion "$results/$1_$2" "$1" "$2"
 }
 
+# shellcheck disable=SC2154  # $generations is that of run_experiment.sh
 one_scale() {
-  menger evolve "$study/one_scale.toml" --seed "$1" --output "$results/one_scale_$1.sqlite"
-  champion one_scale "$1" "$results/one_scale_$1.sqlite"
+  menger evolve "$study/one_scale.toml" --seed "$1" --output "$results/one_scale_$1.sqlite" "${generations[@]}"
+  walks_of_champion one_scale "$1" "$results/one_scale_$1.sqlite"
 }
 
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "one_scale_$seed() { one_scale $seed; }"
 done
 
-# Of the searches of the experiment fractal that there are.
-two_scales() {
-  local archive
-  for archive in build/paper/fractal/two_scales_*.sqlite; do
-    [ -e "$archive" ] || { say "scale_invariance: no search yet; make one with ./run paper fractal two_scales_1"; return 0; }
-    champion two_scales "$(sed 's|.*two_scales_\([0-9]*\).sqlite|\1|' <<<"$archive")" "$archive"
+# The champions of the archives of the experiment fractal that there are: group, what comes before a seed, what comes after it, the part
+# that makes them.
+champions_of() {
+  local archive seed found=
+  for archive in "$2"*"$3"; do
+    [ -e "$archive" ] || continue
+    found=yes
+    seed=${archive#"$2"}
+    walks_of_champion "$1" "${seed%"$3"}" "$archive"
   done
+  [ -n "$found" ] || say "scale_invariance: no search yet; make one with ./run paper fractal $4"
 }
 
-three_scales() {
-  local archive=build/paper/fractal/trial/trial.sqlite
-  [ -e "$archive" ] || { say "scale_invariance: no search yet; make one with ./run paper fractal three_scales"; return 0; }
-  champion three_scales 1 "$archive"
-}
+two_scales() { champions_of two_scales build/paper/fractal/two_scales_ .sqlite two_scales_1; }
+three_scales() { champions_of three_scales build/paper/fractal/three_scales_ /trial.sqlite three_scales_40; }
 
 similar() {
   local scene name

@@ -417,10 +417,40 @@ class Trials(Case):
         found = {row["arm"]: row for row in table_of(folder / "statistics.csv")}
         fractal = found["fractal"]
         self.assertAlmostEqual(float(fractal["last"]), 12 * 1.055, delta=0.01)  # body lengths in 5 s, a minute has 12 of them
-        self.assertEqual((fractal["trials"], fractal["first"], fractal["plane"], fractal["dimension_2.5_to_2.7"]), ("10", "0", "5", "5"))
-        self.assertEqual(fractal["larger_is_slower"], "1")
+        self.assertEqual((fractal["trials"], fractal["first"], fractal["dimension_2"], fractal["dimension_2.5_to_2.7"]), ("10", "0", "5", "5"))
+        # Wilson's interval of 5 of 10: (p + z^2 / 2n -+ z sqrt(p (1 - p) / n + z^2 / 4n^2)) / (1 + z^2 / n) with z = 1.96
+        for name in ("dimension_2", "dimension_2.5_to_2.7"):
+            self.assertEqual([fractal[f"{name}_{end}"] for end in ("share", "low", "high")], ["0.5", "0.2366", "0.7634"])
+            self.assertEqual([found["non_fractal"][f"{name}{end}"] for end in ("", "_share", "_low", "_high")], [""] * 4, "no fractal has none")
+        self.assertEqual((fractal["larger_is_slower"], fractal["compared_cells"], compared[0]["generations"]), ("1", "9 and 3", "2"))
         self.assertLess(float(fractal["p_first_last"]), 1e-3)
         self.assertEqual(len(table_of(folder / "champions.csv")), 25)
+        xml.dom.minidom.parse(str(folder / "trials.svg"))
+
+    def test_takes_trials_of_three_scales_and_other_lengths(self):
+        for seed in range(1, 5):
+            self.trial("fractal/two_scales", seed, 1.0)
+        for seed in range(1001, 1005):
+            self.trial("non_fractal/two_scales", seed, 3.0)
+            with open(self.tree / f"paper/non_fractal/two_scales/{seed}.csv", "a", encoding="utf-8") as text:
+                text.write("3,9,9,,9,9\n")
+        # The largest is faster than the middle scale in one of four trials, and the smallest decides.
+        for seed in range(1, 5):
+            largest = 2.0 if seed == 1 else 0.8
+            write(self.tree / f"paper/fractal/three_scales/{seed}.csv", self.columns + ["level_3_displacement_body_lengths"],
+                  [[0, 0.1, 3, 1.0, 0.1, 0.2, 0.3], [1, 0.5, 17, 2.5789, 0.5, 1.0, largest]])
+        self.done(self.script)
+        folder = self.tree / "paper/fractal"
+        found = {row["arm"]: row for row in table_of(folder / "statistics.csv")}
+        self.assertEqual({arm: row["generations"] for arm, row in found.items()}, {"fractal": "2", "non_fractal": "3", "three_scales": "1"})
+        three = found["three_scales"]
+        self.assertEqual((three["compared_cells"], three["larger_is_slower"], three["last"], three["dimension_2.5_to_2.7"]), ("27 and 9", "0.75", "6", "4"))
+        (compared,) = table_of(folder / "comparisons.csv")
+        # At generation 2, which both have: 1 and 3 body lengths.
+        self.assertEqual((compared["generations"], compared["larger"], compared["medians_ratio"]), ("2", "0", "0.3333"))
+        champions = {(row["arm"], row["seed"]): row for row in table_of(folder / "champions.csv")}
+        self.assertEqual([champions["three_scales", "1"][f"level_{level}_per_minute"] for level in (1, 2, 3)], ["6", "12", "24"])
+        self.assertEqual([champions["fractal", "1"][f"level_{level}_per_minute"] for level in (1, 2, 3)], ["24", "12", ""])
         xml.dom.minidom.parse(str(folder / "trials.svg"))
 
     def test_refuses_trials_of_unlike_lengths(self):
@@ -428,7 +458,7 @@ class Trials(Case):
         self.trial("fractal/two_scales", 2, 1.0)
         with open(self.tree / "paper/fractal/two_scales/2.csv", "a", encoding="utf-8") as text:
             text.write("3,1,9,2,1,1\n")
-        self.refused("have different numbers of generations", self.script)
+        self.refused("have different numbers of generations, 2 (seed 1) and 3 (seed 2)", self.script)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Tests paper/tables.py and paper/run_experiment.sh in trees of their own, with a program that stands for menger.
+"""Tests paper/tables.py, paper/champion.py and paper/run_experiment.sh in trees of their own, with a program that stands for menger.
 
 paper_test.py SOURCES: the folder of the sources.
 """
@@ -26,6 +26,16 @@ walk() {
 long() { menger wait; }
 """
 
+# A search, its champion, and a trial of a given length after which another search has its own again.
+SEARCHES = """# Does it evolve?
+part small "a minute" "a search"
+part seeded "a minute" "another"
+part_on_request forty "an hour" "a trial"
+small() { search small; champion small; }
+seeded() { search small 7; }
+forty() { trial small 3 40; search small 8; }
+"""
+
 # Writes a table from the number in its study, and ends as that says: an outcome, bad input, or nothing until Ctrl-C.
 MENGER = """#!/usr/bin/env bash
 case $1 in
@@ -33,6 +43,11 @@ case $1 in
     mkdir -p "$4"
     printf 'friction,way_m,seconds\\n0.2,%s,7\\n' "$(sed -n 1p "$2")" >"$4/sweep.csv"
     exit "$(sed -n 2p "$2")" ;;
+  evolve) echo "$*" >>calls ;;
+  export)
+    mkdir -p "$4"
+    printf 'generation,best_fitness_body_lengths,level_1_displacement_body_lengths,level_2_displacement_body_lengths\n0,,,\n1,0.5,0.75,0.5\n' >"$4/generations.csv"
+    printf 'individual,phenotype\n3,111000000000000000000000000\n9,102000001102000201112111211\n' >"$4/lineage.csv" ;;
   wait) trap 'exit 130' INT; touch waiting; while :; do sleep 0.05; done ;;
 esac
 """
@@ -63,7 +78,7 @@ class PaperTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.tree = pathlib.Path(self.folder.name)
-        for name in ("tables.py", "small_tables.py", "run_experiment.sh"):
+        for name in ("tables.py", "small_tables.py", "champion.py", "run_experiment.sh"):
             self.put(f"paper/{name}", (SOURCES / "paper" / name).read_text(), executable=True)
         self.put("paper/one/experiment.sh", EXPERIMENT)
         self.put("paper/one/walk.toml", "0.00232\n0\n")
@@ -78,11 +93,17 @@ class PaperTest(unittest.TestCase):
         if executable:
             file.chmod(0o755)
 
+    def put_searches(self):
+        self.put("paper/evolved/experiment.sh", SEARCHES)
+        self.put("paper/evolved/small.toml", "seed = 2\n[time]\nduration_s = 2.5\n")
+        self.put("paper/fractal/trial.sh", '#!/usr/bin/env bash\necho "trial $*" >>calls\nmkdir -p "$2"\nprintf "generation\\n0\\n" >"$2/generations.csv"\n', executable=True)
+
     def text(self, name="paper/results.md"):
         return (self.tree / name).read_text()
 
-    def call(self, *words):
-        return subprocess.run([str(self.tree / words[0]), *words[1:]], cwd=self.tree, capture_output=True, text=True, check=False)
+    def call(self, *words, **variables):
+        environment = {name: value for name, value in (os.environ | variables).items() if value is not None and name not in {"GENERATIONS"} - variables.keys()}
+        return subprocess.run([str(self.tree / words[0]), *words[1:]], cwd=self.tree, env=environment, capture_output=True, text=True, check=False)
 
     def tables(self, *words):
         return self.call("paper/tables.py", *words)
@@ -139,7 +160,7 @@ class Tables(PaperTest):
         self.put("paper/one/walk.csv", "friction,way_m\n0.2,\n")
         self.put("paper/results.md", TEXT[: TEXT.index("It goes")])
         self.assertEqual(self.tables("fill").returncode, 0)
-        self.assertIn("| 0.2 | – mm |", self.text())
+        self.assertIn("| 0.2 | – |", self.text())
         self.put("paper/results.md", TEXT)
         self.assertIn("cannot be shown so", self.tables("fill").stderr)
 
@@ -212,6 +233,65 @@ class Experiments(PaperTest):
         self.assertEqual(run.returncode, 130)
         self.assertIn("the same command goes on", err)
         self.assertFalse((self.tree / "build/paper/one/walk").exists(), "no further part runs")
+
+
+    def test_searches_take_generations_from_the_environment(self):
+        self.put_searches()
+        study, out = "paper/evolved/small.toml", "build/paper/evolved"
+        for generations, options in ((None, ""), ("55", " --generations 55")):
+            (self.tree / "calls").unlink(missing_ok=True)
+            outcome = self.call("paper/run_experiment.sh", "evolved", "small", "forty", "seeded", GENERATIONS=generations)
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.assertEqual(self.text("calls").splitlines(), [
+                f"evolve {study} --output {out}/small.sqlite{options}",
+                f"trial {study} {out}/three_scales_3 build/release/bin  --seed 3 --generations {generations or 40}",
+                f"evolve {study} --seed 8 --output {out}/small_8.sqlite{options}",
+                f"evolve {study} --seed 7 --output {out}/small_7.sqlite{options}"])
+        for table in ("small.csv", "small/7.csv", "small/8.csv", "three_scales/3.csv"):
+            self.assertTrue((self.tree / "paper/evolved" / table).exists(), table)
+        for wrong in ("many", "-3", "2.5"):
+            outcome = self.call("paper/run_experiment.sh", "evolved", "small", GENERATIONS=wrong)
+            self.assertEqual(outcome.returncode, 2, wrong)
+            self.assertIn(f"GENERATIONS={wrong}: must be a whole number", outcome.stderr)
+
+
+class Champion(PaperTest):
+    def shape(self, *layers):
+        """Layers from the ground up, each of three rows of constant y."""
+        outcome = self.call("paper/champion.py", "shape", "".join(layers))
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        return [line.partition(": ")[2] for line in outcome.stdout.splitlines()]
+
+    def test_tells_an_uneven_quadruped(self):
+        plate, corners, none = "111111111", "101000101", "000000000"
+        # One of sixteen cells has no partner: of the four corners of the lowest layer one is empty, and its mirror image is not.
+        self.assertEqual(self.shape("102000001", "102000201", "112111211"), ["4", "3", "0.0625", "yes"], "the paper's, with one shorter leg")
+        self.assertEqual(self.shape(corners, corners, plate), ["4", "4", "0", "no"], "a table is even")
+        self.assertEqual(self.shape(corners, plate, "100000000"), ["4", "4", "0.07143", "yes"], "a table with something in a corner")
+        self.assertEqual(self.shape("101000001", plate, none), ["3", "3", "0.08333", "no"], "three legs")
+        self.assertEqual(self.shape("100000000", corners, plate), ["4", "1", "0.07143", "no"], "four legs on one foot")
+        self.assertEqual(self.shape(none, plate, none), ["0", "0", "0", "no"], "a plane has no legs, wherever it lies")
+        self.assertEqual(self.shape(plate, plate, plate), ["1", "1", "0", "no"], "a cube stands on one foot")
+        self.assertEqual(self.shape("111000101", plate, none)[:2], ["3", "3"], "cells that faces join are one foot")
+
+    def test_refuses_what_is_no_body(self):
+        for digits, message in (("111", "must be 27 digits"), ("3" * 27, "must be 27 digits"), ("0" * 27, "has no cell")):
+            outcome = self.call("paper/champion.py", "shape", digits)
+            self.assertEqual(outcome.returncode, 2)
+            self.assertIn(message, outcome.stderr)
+
+    def test_is_kept_with_its_picture(self):
+        self.put_searches()
+        for _ in range(2):  # the second takes the place of the first
+            self.assertEqual(self.experiment("evolved", "small").returncode, 0)
+        # Half a body length in 2.5 s is 12 in a minute.
+        header, row, *more = self.text("paper/evolved/champions.csv").splitlines()
+        self.assertEqual(more, [])
+        self.assertEqual(header.split(",")[:6], ["study", "seed", "generations", "robot", "cells", "digits"])
+        self.assertEqual(row, "small,2,1,9,16,102000001102000201112111211,12,18,12,,4,3,0.0625,yes,champions_small_2.svg")
+        drawn = self.text("paper/evolved/champions_small_2.svg")
+        self.assertEqual(drawn.count("#9ad4f5"), 7, "the tops of material 1 that can be seen")
+        self.assertLess(len(drawn), 10000)
 
 
 class Tree(unittest.TestCase):
