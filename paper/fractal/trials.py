@@ -133,24 +133,25 @@ def draw_fitness(panel, arms):
         _, label, colour, dashes, _ = ARMS[arm]
         draw_mean(panel, [trial.best for trial in trials], colour, dashes, f"{label} (n = {len(trials)})")
     panel.set(xlabel="generation", ylabel="fitness, mean over trials\n(body lengths per minute)", ylim=(0, None))
-    panel.legend(loc="lower right")
+    panel.legend(loc="upper center", bbox_to_anchor=(0.45, -0.28), ncols=2)
 
 
 def draw_ends(panel, arms):
     for place, (arm, trials) in enumerate(arms.items()):
         _, _, colour, _, mark = ARMS[arm]
         ends = [trial.best[-1] for trial in trials]
-        panel.plot(place + np.linspace(-0.28, 0.28, len(ends)) if len(ends) > 1 else [place], ends, mark, color=colour, markersize=3.5)
-        panel.plot([place - 0.38, place + 0.38], [np.median(ends)] * 2, color="#222222", linewidth=1.2)
+        panel.plot(ends, place + np.linspace(-0.28, 0.28, len(ends)) if len(ends) > 1 else [place], mark, color=colour, markersize=3.5)
+        panel.plot([np.median(ends)] * 2, [place - 0.4, place + 0.4], color="#222222", linewidth=1.2)
     highest = max(trial.best[-1] for trials in arms.values() for trial in trials)
-    panel.set(ylabel="fitness at the end\n(body lengths per minute)", ylim=(0, 1.08 * highest), xlim=(-0.6, len(arms) - 0.4))
-    panel.set_xticks(range(len(arms)), [f"{ARMS[arm][1].replace(', ', chr(10))}\n({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
+    panel.set(xlabel="fitness at the end (body lengths per minute)", xlim=(0, 1.05 * highest), ylim=(len(arms) - 0.4, -0.6))
+    panel.set_yticks(range(len(arms)), [f"{ARMS[arm][1]}\n({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
 
 
 def draw_scales(panel, trials):
     for level in trials[0].speeds:
         draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")
-    panel.set(xlabel="generation", ylim=(0, None))
+    panel.set_xlabel("generation")
+    panel.legend(loc="upper center", ncols=3, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
 
 
 def draw_dimensions(panel, trials):
@@ -167,11 +168,11 @@ def draw_dimensions(panel, trials):
         end = round(float(trial.dimension[-1]), 6)
         taken[end] = taken.get(end, 0) + 1
         panel.plot([last * (1.01 + 0.02 * taken[end])], [end], "o", markersize=3.5, **style)
-    right = last * (1.03 + 0.02 * max(taken.values()))
-    for height, text in ((2.6, "2.5 to 2.7"), (2.0, "H = 2,\nas a plane")):
-        panel.annotate(text, (right, height), xytext=(3, 0), textcoords="offset points", va="center", annotation_clip=False)
+    labels = last * (1.03 + 0.02 * max(taken.values()))
+    for height, text in ((2.6, "2.5 to 2.7"), (2.0, "H = 2 (plane)")):
+        panel.annotate(text, (labels, height + 0.01), va="bottom" if height == 2.0 else "center")
     lowest = min(np.nanmin(trial.dimension) for trial in trials)
-    panel.set(xlabel="generation (at the end a point for each trial)", ylabel="Hausdorff dimension H\nof the best robot", ylim=(min(1.75, lowest - 0.1), 3.08), xlim=(0, right))
+    panel.set(xlabel="generation (at the end a point for each trial)", ylabel="Hausdorff dimension H\nof the best robot", ylim=(min(1.75, lowest - 0.1), 3.08), xlim=(0, labels + 0.21 * last))
 
 
 def draw(arms):
@@ -180,27 +181,30 @@ def draw(arms):
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
     by_scale = [arm for arm in ("fractal", "non_fractal", "three_scales", "non_fractal_three_scales") if arm in arms]
     with_dimension = "fractal" if "fractal" in arms else next((arm for arm in arms if arm not in WITHOUT_DIMENSION), None)
-    figure = pyplot.figure(figsize=(6.5, 7.6), layout="constrained")
-    grid = figure.add_gridspec(3, 12, height_ratios=(1.1, 1.0, 1.1))
-    panels = [(figure.add_subplot(grid[0, :6]), "best robot"), (figure.add_subplot(grid[0, 6:]), "trials at the end (line: median)")]
+    rows = -(-len(by_scale) // 2)
+    heights = [1.9, 0.6 + 0.34 * len(arms), *[1.9] * rows, *[2.3] * bool(with_dimension)]
+    figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
+    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
+    panels = [(figure.add_subplot(grid[0, :]), "best robot"), (figure.add_subplot(grid[1, :]), "every trial at the end (line: median)")]
     draw_fitness(panels[0][0], arms)
     draw_ends(panels[1][0], arms)
-    if by_scale:
-        width = 12 // len(by_scale)
-        for place, arm in enumerate(by_scale):
-            panel = figure.add_subplot(grid[1, place * width : (place + 1) * width], sharey=panels[2][0] if place else None)
-            panels.append((panel, ARMS[arm][1]))
-            draw_scales(panel, arms[arm])
-        panels[2][0].set_ylabel("speed of the best robot by scale\n(body lengths per minute)")
-        panels[2][0].legend(loc="lower right")
+    for place, arm in enumerate(by_scale):
+        panel = figure.add_subplot(grid[2 + place // 2, place % 2])
+        panels.append((panel, f"scales, {ARMS[arm][1]}"))
+        draw_scales(panel, arms[arm])
+        if place % 2 == 0:
+            panel.set_ylabel("speed of the best robot\n(body lengths per minute)")
+    highest = max((panel.get_ylim()[1] for panel, _ in panels[2:]), default=1.0)
+    for panel, _ in panels[2:]:
+        panel.set_ylim(0, 1.2 * highest)  # with room for the legend
     if with_dimension:
-        panels.append((figure.add_subplot(grid[2, :]), f"dimension, {ARMS[with_dimension][1]}"))
+        panels.append((figure.add_subplot(grid[-1, :]), f"dimension, {ARMS[with_dimension][1]}"))
         draw_dimensions(panels[-1][0], arms[with_dimension])
     for (panel, title), letter in zip(panels, "abcdefg"):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
-        if panel is not panels[1][0]:
+        if "generation" in panel.get_xlabel():
             panel.xaxis.get_major_locator().set_params(integer=True)
     write_svg(figure, HERE / "trials.svg")
 
