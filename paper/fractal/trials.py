@@ -17,7 +17,7 @@ sys.path.insert(0, str(HERE.parent))
 import numpy as np  # noqa: E402
 from sample_statistics import mean, rank_sum, share  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
-from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
+from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
 LEVELS = (1, 2, 3)
 ARMS = {"fractal": (HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
@@ -206,6 +206,7 @@ def draw(arms):
         panel.set_axisbelow(True)
         if "generation" in panel.get_xlabel():
             panel.xaxis.get_major_locator().set_params(integer=True)
+    settle(figure)
     write_svg(figure, HERE / "trials.svg")
 
 

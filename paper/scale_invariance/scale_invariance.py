@@ -25,7 +25,7 @@ sys.path.insert(0, str(HERE.parent))
 import numpy as np  # noqa: E402
 from sample_statistics import fisher, median, share, spearman  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
-from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
+from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
 LEVELS = (1, 2, 3)
 CELL_EDGE_M = 0.01
@@ -410,6 +410,7 @@ def draw(every, rows, dimensions):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
+    settle(figure)
     write_svg(figure, HERE / "scale_invariance.svg")
 
 
