@@ -61,11 +61,19 @@ void add_notes_of_silicone(const Study& study, std::vector<std::string>& notes) 
   }
   if (silicone.is_ratio_assumed)
     notes.push_back("material.bulk_modulus_ratio = " + io::number_text(silicone.bulk_modulus_ratio) + " is assumed");
-  if (study.robust) return;
-  const voxel::VoxelMaterial& ground = study.physics.materials[0];
-  notes.push_back("friction of " + name +
-                  " on a ground is not measured; static_friction = " + io::number_text(ground.static_friction) +
-                  " and kinetic_friction = " + io::number_text(ground.kinetic_friction) + " are assumptions");
+  std::string friction = "friction of " + name + " on a ground is not measured";
+  if (silicone.law.record && silicone.law.record->friction) {
+    const materials::PublishedFriction& published = *silicone.law.record->friction;
+    friction += ", that of silicones lies between " + io::number_text(published.lowest) + " and " +
+                io::number_text(published.highest) + " (" + published.source + ")";
+  }
+  if (study.robust) {
+    notes.push_back(friction);
+  } else {
+    const voxel::VoxelMaterial& ground = study.physics.materials[0];
+    notes.push_back(friction + "; static_friction = " + io::number_text(ground.static_friction) +
+                    " and kinetic_friction = " + io::number_text(ground.kinetic_friction) + " are assumptions");
+  }
   if (!study.search.offspring.constraints.castable)
     notes.emplace_back("bodies that cannot be cast get no result; with body.castable = true there are none");
 }

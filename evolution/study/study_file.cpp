@@ -463,7 +463,8 @@ std::string source_of_parameters(const Study& study) {
   for (const std::filesystem::path& file : io::data_files(io::parameter_data)) {
     const io::TomlTable subject = io::read_toml(file).table("holds_for");
     const double cell_edge_m = subject.number("cell_edge_m");
-    if (subject.text("law") == law && std::abs(cell_edge_m - study.search.cell_edge_m) <= rounding * cell_edge_m)
+    const bool is_whole = subject.integer_or<int>("voxels_per_cell", 1) == 1;
+    if (is_whole && subject.text("law") == law && std::abs(cell_edge_m - study.search.cell_edge_m) <= rounding * cell_edge_m)
       return "; menger comes with some: parameters = " + io::toml_quoted(file.stem().string());
   }
   return "; menger loop fits some: menger init NAME, then this silicone and these cells in NAME/robot.toml, then menger loop "

@@ -125,7 +125,7 @@ std::vector<Evaluation> VoxelEvaluator::evaluate_together(std::span<const Evalua
 }
 
 double VoxelEvaluator::voxel_edge_m() const {
-  return physics_.surrogate ? cell_edge_m_ / physics_.surrogate->parameters.voxels_per_cell : cell_edge_m_;
+  return physics_.surrogate ? physics_.surrogate->parameters.voxel_edge_m() : cell_edge_m_;
 }
 
 /// Advances the simulations period by period and writes the displacement in each into the results, and how far bodies lean.
@@ -133,7 +133,7 @@ void VoxelEvaluator::walk_periods(Walkers& walkers, const std::atomic<bool>& sto
   auto& [simulations, results, on_processor, leans] = walkers;
   std::vector<voxel::BodyPosture> postures;
   if (tells_falls())
-    for (const voxel::Simulation& simulation : simulations) postures.emplace_back(simulation, voxel_edge_m());
+    for (const voxel::Simulation& simulation : simulations) postures.emplace_back(voxel::poses_of(simulation), voxel_edge_m());
   std::vector<std::vector<std::array<double, 3>>> upright_axes(postures.size());
   std::vector<std::array<double, 3>> before_m = centres_of_mass_m(simulations);
   const std::size_t count = whole_periods(duration_s_, last_->period_s);
@@ -144,7 +144,7 @@ void VoxelEvaluator::walk_periods(Walkers& walkers, const std::atomic<bool>& sto
     for (std::size_t i = 0; i < simulations.size(); ++i)
       results[i]->period_displacements_m.push_back(difference(now_m[i], before_m[i]));
     for (std::size_t i = 0; i < postures.size(); ++i)
-      if (!simulations[i].divergence()) upright_axes[i].push_back(postures[i].upright_axis(simulations[i]));
+      if (!simulations[i].divergence()) upright_axes[i].push_back(postures[i].upright_axis(voxel::poses_of(simulations[i])));
     before_m = now_m;
   }
   for (const std::vector<std::array<double, 3>>& axes : upright_axes) leans.push_back(meshes::largest_lean(axes));

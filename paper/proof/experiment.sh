@@ -60,7 +60,8 @@ summary() {
 
 # A short search of an arm on one thread, with the wall times of its walks.
 timed_search() {
-  sed "s|^parameters = \"|&$PWD/$study/|; s/^frictions = .*/frictions = [0.8]/" "$study/$1.toml" >"$results/cost_$1.toml"
+  cp "$study/voxels.parameters.toml" "$results"  # beside the study that names it
+  sed 's/^frictions = .*/frictions = [0.8]/' "$study/$1.toml" >"$results/cost_$1.toml"
   rm -f "$results/cost_$1.sqlite"
   menger evolve "$results/cost_$1.toml" --generations 1 --threads 1 --output "$results/cost_$1.sqlite"
   menger export "$results/cost_$1.sqlite" --output "$results/cost/$1" --timings --levels 1 --no-frames --no-pictures

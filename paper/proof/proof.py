@@ -420,21 +420,30 @@ def screening_of(results, arm, seed):
            "drawn_and_survive": drawn[1]}
 
 
-SCREENED = ["arm", "searches", "new_robots", "left_out_share", "left_out_least", "left_out_largest", "passed", "passed_survive_share", "drawn",
-            "drawn_survive_share"]
+SCREENED = ["arm", "searches", "new_robots", "rejected_share", "rejected_least", "rejected_largest", "left_out_share", "passed",
+            "passed_survive_share", "drawn", "drawn_survive_share", "drawn_survive_least", "drawn_survive_largest", "survive_ratio"]
 
 
 def screened_row(rows):
-    """All searches of screening.csv together: the share of new robots that was left out, and of those that walked the share that survived
-    the generation in which they were new, of robots that passed and of robots that were rejected and drawn."""
+    """All searches of screening.csv together: the share of new robots that voxels rejected (left out, or drawn and walked all the same)
+    and the share that never walked; of those that walked the share that survived the generation in which they were new, of robots that
+    passed and of rejected ones that were drawn, and the second by the first. Least and largest are of single searches."""
     counts = [{key: int(row[key]) for key in SCREENING[2:]} for row in rows]
     total = {key: sum(one[key] for one in counts) for key in SCREENING[2:]}
-    shares = [one["left_out"] / (one["passed"] + one["drawn"] + one["left_out"]) for one in counts]
-    new = total["passed"] + total["drawn"] + total["left_out"]
-    return {"arm": "both", "searches": len(counts), "new_robots": new, "left_out_share": number(total["left_out"] / new),
-            "left_out_least": number(min(shares)), "left_out_largest": number(max(shares)), "passed": total["passed"],
-            "passed_survive_share": number(total["passed_and_survive"] / total["passed"]), "drawn": total["drawn"],
-            "drawn_survive_share": number(total["drawn_and_survive"] / total["drawn"]) if total["drawn"] else ""}
+
+    def new(one):
+        return one["passed"] + one["drawn"] + one["left_out"]
+
+    rejected = [(one["drawn"] + one["left_out"]) / new(one) for one in counts]
+    row = {"arm": "both", "searches": len(counts), "new_robots": new(total), "rejected_share": number((total["drawn"] + total["left_out"]) / new(total)),
+           "rejected_least": number(min(rejected)), "rejected_largest": number(max(rejected)), "left_out_share": number(total["left_out"] / new(total)),
+           "passed": total["passed"], "passed_survive_share": number(total["passed_and_survive"] / total["passed"]), "drawn": total["drawn"]}
+    drawn = [one["drawn_and_survive"] / one["drawn"] for one in counts if one["drawn"]]
+    if drawn:
+        share = total["drawn_and_survive"] / total["drawn"]
+        row |= {"drawn_survive_share": number(share), "drawn_survive_least": number(min(drawn)), "drawn_survive_largest": number(max(drawn)),
+                "survive_ratio": number(share * total["passed"] / total["passed_and_survive"])}
+    return row
 
 
 WALKS = ["arm", "seed", "rank", "individual", "friction", "body_lengths"]

@@ -280,7 +280,10 @@ class Searches(unittest.TestCase):
         row, = table_of(self.tables / "screened.csv")
         self.assertEqual((row["searches"], row["new_robots"], row["passed"], row["drawn"]), ("2", "18", "8", "4"))
         self.assertAlmostEqual(float(row["left_out_share"]), 6 / 18, 5)
-        self.assertEqual([float(row[key]) for key in ("left_out_least", "left_out_largest")], [0.25, 0.4])
+        self.assertAlmostEqual(float(row["rejected_share"]), 10 / 18, 5)
+        self.assertEqual([float(row[key]) for key in ("rejected_least", "rejected_largest")], [0.5, 0.6])
+        self.assertEqual([float(row[key]) for key in ("drawn_survive_least", "drawn_survive_largest")], [0.5, 0.5])
+        self.assertAlmostEqual(float(row["survive_ratio"]), 0.5 / 0.75, 5)
         self.assertEqual((float(row["passed_survive_share"]), float(row["drawn_survive_share"])), (0.75, 0.5))
 
     def test_few_searches_are_not_compared(self):

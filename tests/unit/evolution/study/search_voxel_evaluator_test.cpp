@@ -133,6 +133,20 @@ TEST(VoxelEvaluator, ABodyThatFallsHasNoDisplacement) {
   EXPECT_EQ(together[1].displacement_m, stands.displacement_m);
 }
 
+TEST(VoxelEvaluator, ABodyThatDivergesOrStopsHasNotFallen) {
+  voxel::Physics physics;
+  physics.integration.time_step_fraction = 5.0;  // far beyond the limit of stability
+  const LastPeriods last{.period_s = 0.02, .count = 5};
+  const Evaluation diverged =
+      VoxelEvaluator(physics, 0.01, 2.0, 0.0, last, io::Device::cpu, 45.0).evaluate(quadruped(), 1, not_stopped);
+  EXPECT_EQ(diverged.status, io::RunStatus::diverged);
+  EXPECT_TRUE(diverged.period_displacements_m.empty());
+  EXPECT_FALSE(diverged.displacement_m || diverged.left_out_m);
+  const std::atomic<bool> stop{true};
+  const Evaluation stopped = VoxelEvaluator({}, 0.01, 2.0, 0.0, last, io::Device::cpu, 45.0).evaluate(quadruped(), 1, stop);
+  EXPECT_EQ(stopped.status, io::RunStatus::stopped);
+}
+
 /// Returns bodies on one grid, some of them equal in shape, as in a generation.
 std::vector<EvaluationTask> generation() {
   std::vector<EvaluationTask> tasks;
