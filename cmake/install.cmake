@@ -22,7 +22,7 @@ if(MENGER_PYTHON)
 endif()
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/doc/menger/ DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 # Studies to begin with, beside each other as in the sources, since they name one another.
-foreach(folder fem/studies meshes/designs voxel/parameters voxel/scenes voxel/studies paper/demo)
+foreach(folder fem/studies meshes/designs voxel/curves voxel/parameters voxel/scenes voxel/studies paper/demo)
   get_filename_component(parent ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/${parent})
 endforeach()

@@ -1,15 +1,17 @@
 # How close do voxels come to finite elements, where they are fitted and on bodies that no fit has seen?
-part fit "5 min of two cores" "load cases of cells, bars and joints, and the fit of the voxels to them"
+part fit "3 min of two cores" "the fit of the voxels to cells, bars and joints, whose curves come with menger"
 part held_out "10 min of two cores" "fifteen other bodies, by the voxels as they are fitted in the tree"
 part aggregates "4 min of one core" "fourteen aggregates of 3 to 9 modules, likewise"
 part stepped "2 min of one core" "eight bodies with long inner edges, likewise"
 part without_elbows "6 min of one core" "a fit in which elbows keep their angle, and the errors of both sets of bodies with it"
 
+part_on_request curves "25 min of one core" "the curves that voxels are fitted to, which come with menger (voxel/curves)"
+
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 fit() {
-  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml --output "$results/curves"
-  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --curves "$results/curves" --output "$results/calibration"
+  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --output "$results/calibration"
   table "$results/calibration/details.csv" "$study/details.csv"
+  "$study/fit.py" values voxel/parameters/dragon_skin_10_1cm.toml "$study/fit.csv"
 }
 
 held_out() {
@@ -17,6 +19,7 @@ held_out() {
   menger validate voxel/studies/held_out.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
     --curves "$results/held_out_curves" --output "$results/held_out"
   table "$results/held_out/summary.csv" "$study/held_out.csv"
+  "$study/fit.py" medians "$results/held_out/errors.csv" "$study/medians.csv"
 }
 
 aggregates() {
@@ -41,9 +44,21 @@ validate_without_elbows() {
 }
 
 without_elbows() {
-  sed 's/, "elbows"//' voxel/studies/dragon_skin_10_1cm.toml >"$results/without_elbows.toml"
-  menger calibrate "$results/without_elbows.toml" --curves "$results/curves" --output "$results/calibration_without_elbows"
+  sed "s/, \"elbows\"//; s|^curves = .*|curves = [\"$PWD/voxel/curves/dragon_skin_10_1cm\"]|" voxel/studies/dragon_skin_10_1cm.toml >"$results/without_elbows.toml"
+  menger calibrate "$results/without_elbows.toml" --output "$results/calibration_without_elbows"
   validate_without_elbows voxel/studies/held_out.toml held_out
   validate_without_elbows voxel/studies/aggregates.toml aggregates
   table "$results/held_out_without_elbows/expected_errors.csv" "$study/kinds_without_elbows.csv"
+}
+
+# Without the names of files of the machine that they were made on.
+curves() {
+  local curve kept=voxel/curves/dragon_skin_10_1cm
+  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml --output "$results/curves" --no-pictures
+  mkdir -p "$kept"
+  for curve in "$results/curves"/*.csv; do
+    curve=$(basename "$curve" .csv)
+    cp "$results/curves/$curve.csv" "$kept"
+    sed '/^\[\[inputs\]\]/,/^content_hash/d' "$results/curves/$curve.toml" >"$kept/$curve.toml"
+  done
 }

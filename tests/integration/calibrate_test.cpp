@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "io/text/csv_table.h"
@@ -123,7 +125,20 @@ TEST_F(CalibrateProgram, FindsTheParametersThatMadeTheCurves) {
   EXPECT_NE(text("fit/result.toml").find("damping: not measured"), std::string::npos);
   EXPECT_NE(text("fit/result.toml").find("stiffness of wall class 0, 1, 2a, 2b, 2o, 3: not determined"), std::string::npos)
       << "only tubes were loaded";
-  EXPECT_EQ(io::read_csv(folder_ / "fit/details.csv").row_count(), 2U);
+  const io::CsvContents details = io::read_csv(folder_ / "fit/details.csv");
+  EXPECT_EQ(details.row_count(), 2U);
+  for (std::size_t row = 0; row < details.row_count(); ++row) {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (const std::string& column : details.columns()) {
+      if (!column.starts_with("relative_rms_")) continue;
+      least = std::min(least, details.number(row, column));
+      largest = std::max(largest, details.number(row, column));
+    }
+    EXPECT_GT(largest, least) << "the kinds differ";
+    EXPECT_GT(details.number(row, "relative_rms"), least);
+    EXPECT_LT(details.number(row, "relative_rms"), largest);
+  }
   const io::CsvContents parameters = io::read_csv(folder_ / "fit/parameters.csv");
   EXPECT_EQ(parameters.text(0, "parameter"), "axial_Pa");
   EXPECT_EQ(parameters.text(0, "classes"), "0 1 2a 2b 2o 3 4");

@@ -48,7 +48,7 @@ FOLDERS = ["fem/studies", "paper", "voxel/scenes", "voxel/studies"]
 # Programs whose readers get a sample of the wrong studies. That of menger reevaluate needs the archive of a search.
 READS_AT_ONCE = [command for command in STUDIES if command != "reevaluate"]
 # Keys that the studies of the tree leave to the command line.
-GIVEN = {"calibrate": {"curves": ["curves"]}, "validate": {"parameters": "../parameters/dragon_skin_10_1cm.toml"}}
+GIVEN = {"validate": {"parameters": "../parameters/dragon_skin_10_1cm.toml"}}
 
 # A schema knows each value alone. These studies are wrong in ways that only their readers find: command, study, key, what is
 # wrong, and the change (the path of a table, and what is put there).

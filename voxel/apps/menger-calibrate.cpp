@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -73,10 +72,7 @@ void print_details(const voxel::CalibrationRunResult& result) {
                 std::string(io::to_string(fit.status)).c_str());
       continue;
     }
-    double square = 0.0;
-    const auto errors = voxel::ordinate_errors(result.curves, fit);
-    for (const voxel::OrdinateError& error : errors) square += error.relative * error.relative;
-    const double rms = errors.empty() ? 0.0 : std::sqrt(square / static_cast<double>(errors.size()));
+    const double rms = voxel::relative_error_of(std::nullopt, result.curves, fit).value_or(0.0);
     print_row("%-14s %10zu %12.4g %12.1f %10.3g  %s%s",
               ((step.kept_before.empty() ? "" : "+ ") + std::string(voxel::to_string(step.detail))).c_str(), fit.parameter_count,
               fit.reduced_chi2(), fit.aic, 100.0 * rms, std::string(io::to_string(fit.status)).c_str(),

@@ -54,11 +54,12 @@ std::vector<OrdinateError> ordinate_errors(const std::vector<FittedCurve>& curve
   return errors;
 }
 
-std::optional<double> relative_error_of(LoadCaseKind kind, const std::vector<FittedCurve>& curves, const CalibrationFit& fit) {
+std::optional<double> relative_error_of(std::optional<LoadCaseKind> kind, const std::vector<FittedCurve>& curves,
+                                        const CalibrationFit& fit) {
   double square = 0.0;
   double count = 0.0;
   for (const OrdinateError& error : ordinate_errors(curves, fit)) {
-    if (curves[error.curve].load_case.kind != kind) continue;
+    if (kind && curves[error.curve].load_case.kind != *kind) continue;
     square += error.relative * error.relative;
     count += 1.0;
   }
@@ -76,7 +77,7 @@ std::string body_text(const meshes::LoadCase& load_case) {
 
 io::CsvTable detail_table(const Calibration& calibration, const std::vector<FittedCurve>& curves) {
   std::vector<std::string> columns{"detail",    "joined_with", "kept",         "status", "parameters",
-                                   "residuals", "chi2",        "reduced_chi2", "aic"};
+                                   "residuals", "chi2",        "reduced_chi2", "aic",    "relative_rms"};
   const std::set<LoadCaseKind> kinds = kinds_of(curves);
   for (const LoadCaseKind kind : kinds) columns.push_back("relative_rms_" + std::string(meshes::to_string(kind)));
   io::CsvTable table(columns);
@@ -95,7 +96,8 @@ io::CsvTable detail_table(const Calibration& calibration, const std::vector<Fitt
                                    count(fit.residual_count),
                                    number(fit.chi2),
                                    number(fit.reduced_chi2()),
-                                   number(fit.aic)};
+                                   number(fit.aic),
+                                   io::cell(relative_error_of(std::nullopt, curves, fit))};
     for (const LoadCaseKind kind : kinds) cells.push_back(io::cell(relative_error_of(kind, curves, fit)));
     table.add_cells(cells);
   }

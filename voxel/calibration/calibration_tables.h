@@ -19,15 +19,16 @@ struct OrdinateError {
 
 std::vector<OrdinateError> ordinate_errors(const std::vector<FittedCurve>& curves, const CalibrationFit& fit);
 
-/// Root mean square of the relative errors of a kind of load case; nothing if there is none.
-std::optional<double> relative_error_of(meshes::LoadCaseKind kind, const std::vector<FittedCurve>& curves,
+/// Root mean square of the relative errors of a kind of load case, or of all of them; nothing if there is none.
+std::optional<double> relative_error_of(std::optional<meshes::LoadCaseKind> kind, const std::vector<FittedCurve>& curves,
                                         const CalibrationFit& fit);
 
 /// A short text for a body: "3x1x1", with its level if that is not 1.
 std::string body_text(const meshes::LoadCase& load_case);
 
-/// A table of the gain of each detail: detail, joined_with, kept, status, parameters, residuals, chi2, reduced_chi2, aic, and
-/// relative_rms_KIND for every kind among the curves. A fit that ended without a result has no numbers.
+/// A table of the gain of each detail: detail, joined_with, kept, status, parameters, residuals, chi2, reduced_chi2, aic,
+/// relative_rms over all curves, and relative_rms_KIND for every kind among them. A fit that ended without a result has no
+/// numbers.
 io::CsvTable detail_table(const Calibration& calibration, const std::vector<FittedCurve>& curves);
 
 /// A table of the fit, one row per parameter: parameter, value, lowest_95, highest_95, classes, determination. lowest_95 and
