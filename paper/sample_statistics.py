@@ -64,6 +64,26 @@ def share(count, of):
     return Estimate(count / of, float(ends.low), float(ends.high))
 
 
+def difference_of_shares(count, of, other_count, of_others):
+    """A share less another one, of independent trials, with Newcombe's interval (his method 10): from the ends of Wilson's intervals of both."""
+    one, other = share(count, of), share(other_count, of_others)
+    low = np.hypot(one.value - one.low, other.high - other.value)
+    high = np.hypot(one.high - one.value, other.value - other.low)
+    difference = one.value - other.value
+    return Estimate(difference, float(difference - low), float(difference + high))
+
+
+# What a verdict on something that the paper says means, if yes is its side.
+OUTCOMES = {"yes": "reproduced", "no": "not reproduced", "open": "open"}
+
+
+def verdict(estimate, against):
+    """Whether a number is above another one: yes, no (it is below), or open, as its interval has the other one inside or is not known."""
+    if estimate.low is None or estimate.high is None or estimate.low <= against <= estimate.high:
+        return "open"
+    return "yes" if estimate.low > against else "no"
+
+
 def fisher(count, of, other_count, of_others):
     """The two-sided p of Fisher's exact test: how often two shares of equal trials differ as much."""
     return float(stats.fisher_exact([[count, of - count], [other_count, of_others - other_count]])[1])
@@ -87,3 +107,19 @@ def rank_sum(first, second):
         return (np.sign(a[:, None] - b[None, :]) + 1.0).mean() / 2.0
 
     return RankSum(p, bootstrap(larger, first, second))
+
+
+def signed_rank(first, second):
+    """The two-sided p of Wilcoxon's signed-rank test of pairs: how often differences as large come from a distribution symmetric about 0.
+
+    Pairs of equal numbers are left out; where all are equal p is 1. Exact up to 50 of the others if no two differences are equally
+    large, else with the normal distribution, corrected for ties.
+    """
+    differences = np.asarray(first, dtype=float) - np.asarray(second, dtype=float)
+    differences = differences[differences != 0.0]
+    if len(differences) == 0:
+        return 1.0
+    is_exact = len(differences) <= 50 and len(set(np.abs(differences))) == len(differences)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Sample size too small")  # the only way with ties
+        return float(stats.wilcoxon(differences, method="exact" if is_exact else "approx").pvalue)

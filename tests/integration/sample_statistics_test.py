@@ -4,6 +4,7 @@ sample_statistics_test.py SOURCES: the folder of the sources. Exit code 77: ther
 """
 
 import importlib.util
+import math
 import pathlib
 import sys
 import unittest
@@ -39,6 +40,27 @@ class SampleStatistics(unittest.TestCase):
         found = statistics.rank_sum([1, 2, 2], [2, 2, 3])
         self.assertAlmostEqual(found.larger.value, (0 + 0.5 * 4 + 0) / 9)
 
+    def test_signed_rank_of_depression(self):
+        # Hamilton's depression factor of nine patients before and after a tranquilizer: Hollander and Wolfe (1973), p. 29: the ranks of those
+        # that fell sum to 40, one-sided p = 0.0195 (10 of 512 signs are as extreme).
+        before = [1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30]
+        after = [0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29]
+        self.assertAlmostEqual(statistics.signed_rank(before, after), 20 / 512)
+        self.assertAlmostEqual(statistics.signed_rank(after, before), 20 / 512)
+
+    def test_signed_rank_sees_pairs_that_the_rank_sum_does_not(self):
+        # Each of ten pairs rises by less than pairs differ: 2 of 1024 signs are as extreme, and the samples overlap.
+        before = [float(n) for n in range(10)]
+        after = [n + 0.5 + 0.01 * n for n in range(10)]
+        self.assertAlmostEqual(statistics.signed_rank(after, before), 2 / 1024)
+        self.assertGreater(statistics.rank_sum(after, before).p, 0.4)
+
+    def test_signed_rank_leaves_out_equal_pairs(self):
+        self.assertEqual(statistics.signed_rank([1, 2, 3], [1, 2, 3]), 1.0)
+        self.assertAlmostEqual(statistics.signed_rank([5, 2, 4, 6], [5, 1, 2, 3]), 2 / 8)
+        # Differences 0, 1, 1, -1: ranks 2, 2, 2, sum 4 of falls against a mean of 3 and a variance of 3.5 - (27 - 3) / 48 = 3.
+        self.assertAlmostEqual(statistics.signed_rank([5, 2, 3, 3], [5, 1, 2, 4]), math.erfc(1 / math.sqrt(3) / math.sqrt(2)))
+
     def test_fisher_of_tea(self):
         # A lady tells 3 of 4 cups right on both sides: Fisher, The Design of Experiments (1935), chapter 2: 17 of 70 orders are as extreme
         # on one side.
@@ -63,6 +85,19 @@ class SampleStatistics(unittest.TestCase):
             found = statistics.share(count, of)
             self.assertAlmostEqual(found.low, low, delta=5e-5)
             self.assertAlmostEqual(found.high, high, delta=5e-5)
+
+    def test_differences_of_shares_by_newcombe(self):
+        # Newcombe, Statistics in Medicine 17 (1998) 873, table II, method 10
+        for count, of, other, of_others, low, high in ((56, 70, 48, 80, 0.0524, 0.3339), (9, 10, 3, 10, 0.1705, 0.8090), (6, 7, 2, 7, 0.0582, 0.8062),
+                                                       (5, 56, 0, 29, -0.0381, 0.1926), (0, 10, 0, 20, -0.1611, 0.2775), (10, 10, 0, 20, 0.6791, 1.0)):
+            found = statistics.difference_of_shares(count, of, other, of_others)
+            self.assertAlmostEqual(found.value, count / of - other / of_others)
+            self.assertAlmostEqual(found.low, low, delta=5e-5)
+            self.assertAlmostEqual(found.high, high, delta=5e-5)
+
+    def test_a_verdict_is_open_where_the_interval_has_the_number_inside(self):
+        for low, high, verdict in ((0.6, 0.9, "yes"), (0.1, 0.4, "no"), (0.49, 0.94, "open"), (0.5, 0.9, "open"), (None, None, "open")):
+            self.assertEqual(statistics.verdict(statistics.Estimate(0.5, low, high), 0.5), verdict)
 
     def test_mean_of_mice(self):
         # Survival of treated mice: Efron and Tibshirani, An Introduction to the Bootstrap (1993), chapter 2: mean 86.86, standard error
