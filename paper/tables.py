@@ -22,8 +22,9 @@ A block of a text. The comment names the table and gives the header and the rows
 A number in a sentence: <!-- value: TABLE.csv {ROW/COLUMN .2f} -->1.05<!-- end -->
 
 {ROW/COLUMN FORMAT} is a cell; ROW is what stands in the first column of the table, or in its first columns: a:b. A line with {COLUMN FORMAT} is repeated for every
-row of the table, where an empty cell is a dash. COLUMN*1000 gives another unit. FORMAT is one of Python (.2f), 2sig for significant digits, or nothing for the text
-as it stands in the table. Tables are named from the folder of the tree.
+row of the table. COLUMN*1000 gives another unit. FORMAT is one of Python (.2f), 2sig for significant digits, or nothing for the text as it stands in the table.
+An empty cell is refused, but for {COLUMN FORMAT ?}: there it is a dash. A column of the text whose numbers are all dashes, such as "– (– to –) %", is one dash.
+Tables are named from the folder of the tree.
 Exit codes: 0 done, 1 a text is out of date, 2 wrong input.
 """
 
@@ -44,7 +45,7 @@ VALUE = re.compile(r"<!-- value: (?P<table>\S+) (?P<form>\{[^}\n]*\}) -->(?P<tex
 OPENING = re.compile(r"<!-- (table|value): ")
 NO_VALUE = "–"
 PLACE = re.compile(r"\{([^{}\n]*)\}")
-CELL = re.compile(r"(?:(?P<row>[^/]+)/)?(?P<column>[^/*\s]+)(?:\*(?P<scale>[0-9.eE+-]+))?(?: (?P<format>\S+))?")
+CELL = re.compile(r"(?:(?P<row>[^/]+)/)?(?P<column>[^/*\s]+)(?:\*(?P<scale>[0-9.eE+-]+))?(?: (?P<format>[^\s?]+))?(?P<may_be_empty> \?)?")
 
 
 class Table:
@@ -103,8 +104,10 @@ def filled(line, table, row):
         if found is None or (found["row"] is None and row is None):
             raise InputError(f"{{{place[1]}}} is no {{ROW/COLUMN FORMAT}}")
         text = table.cell(table.row(found["row"]) if found["row"] else row, found["column"])
-        if not text and not found["row"]:
+        if not text and found["may_be_empty"]:
             return NO_VALUE
+        if not text:
+            raise InputError(f"{table.file}: {{{place[1]}}} is empty; where that may be, write {{{place[1]} ?}}")
         try:
             return shown(text, found["scale"], found["format"])
         except ValueError as error:

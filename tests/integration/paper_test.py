@@ -156,13 +156,35 @@ class Tables(PaperTest):
             self.assertEqual(self.tables("fill").returncode, 0)
             self.assertIn(f"-->{shown}<!--", self.text())
 
-    def test_empty_cells_are_dashes_in_rows_and_refused_in_sentences(self):
+    def test_empty_cells_are_dashes_where_that_is_said(self):
         self.put("paper/one/walk.csv", "friction,way_m\n0.2,\n")
-        self.put("paper/results.md", TEXT[: TEXT.index("It goes")])
-        self.assertEqual(self.tables("fill").returncode, 0)
-        self.assertIn("| 0.2 | – |", self.text())
-        self.put("paper/results.md", TEXT)
-        self.assertIn("cannot be shown so", self.tables("fill").stderr)
+        rows = TEXT[: TEXT.index("It goes")]
+        for place in ("{way_m*1000 2sig ?}", "{way_m ?}", "{0.2/way_m ?}"):
+            self.put("paper/results.md", rows.replace("{way_m*1000 2sig}", place))
+            self.assertEqual(self.tables("fill").returncode, 0, place)
+            self.assertIn("| 0.2 | – |", self.text())
+
+    def test_empty_cells_are_refused_elsewhere(self):
+        self.put("paper/one/walk.csv", "friction,way_m\n0.2,\n")
+        rows, sentence = TEXT[: TEXT.index("It goes")], TEXT[TEXT.index("It goes") :]
+        for text, place in ((rows, "{way_m*1000 2sig}"), (rows.replace("{way_m*1000 2sig}", "{way_m}"), "{way_m}"), (sentence, "{0.2/way_m .3f}"),
+                            (sentence.replace(" .3f", ""), "{0.2/way_m}")):
+            self.put("paper/results.md", text)
+            outcome = self.tables("fill")
+            self.assertEqual(outcome.returncode, 2, text)
+            self.assertIn(f"{place} is empty; where that may be, write {place[:-1]} ?}}", outcome.stderr)
+            self.assertEqual(self.text(), text)
+
+    def test_a_place_that_may_be_empty_is_a_number_otherwise(self):
+        for cell, shown in (("0.00232", "2.3 mm"), ("many", None), ("nan", None), ("inf", None)):
+            self.put("paper/one/walk.csv", f"friction,way_m\n0.2,{cell}\n")
+            self.put("paper/results.md", TEXT[: TEXT.index("It goes")].replace("2sig}", "2sig ?}"))
+            outcome = self.tables("fill")
+            if shown:
+                self.assertIn(f"| 0.2 | {shown} |", self.text())
+            else:
+                self.assertEqual(outcome.returncode, 2, cell)
+                self.assertIn(f'is "{cell}", which cannot be shown so', outcome.stderr)
 
     def test_rows_are_found_by_several_columns(self):
         self.put("paper/one/walk.csv", "body,kind,error\nall,volume,1\nall,force,2\n")
