@@ -110,6 +110,8 @@ def take(folder, study, seed, table):
     if not generations or not lineage:
         raise InputError(f"{folder}: has no champion")
     last, champion = generations[-1], lineage[-1]
+    if not last["best_fitness_body_lengths"]:
+        raise InputError(f"{folder / 'generations.csv'}: no robot of the search has a fitness, so that there is no champion: more generations or survivors")
     per_minute = 60.0 / read_toml(study).get("time", {}).get("duration_s", PAPER_DURATION_S)
     drawn = table.with_name(f"{table.stem}_{study.stem}_{seed}.svg")
     digits = champion["phenotype"]

@@ -1,7 +1,7 @@
 # Does a body walk whose cells all swell at once, as one bladder?
 part two_scales "40 min of two cores" "a trial: 325 generations at the scales of 3 and 9 cells, and its champion"
 part_on_request three_scales "about a day of two cores" "a trial: 325 generations at three scales, and its champion"
-part_on_request small "10 s" "three generations of small bodies, and their champion"
+part_on_request small "10 s" "three generations of small bodies; their champion is no result and stays in build/paper"
 
 # A search and what is kept of it: its generations and its champion.
 kept() {
@@ -11,4 +11,9 @@ kept() {
 
 two_scales() { kept two_scales; }
 three_scales() { kept study; }
-small() { kept small; }
+
+# shellcheck disable=SC2154  # $results is that of run_experiment.sh
+small() {
+  search small
+  champion small "$results/champions.csv"
+}

@@ -302,6 +302,29 @@ class Champion(PaperTest):
             self.assertEqual(outcome.returncode, 2)
             self.assertIn(message, outcome.stderr)
 
+    def test_of_a_small_search_stays_out_of_git(self):
+        self.put_searches()
+        for name in ("single_actuator", "phase_wave"):
+            self.put(f"paper/{name}/experiment.sh", (SOURCES / f"paper/{name}/experiment.sh").read_text())
+            for study in ("small", "two_scales"):
+                self.put(f"paper/{name}/{study}.toml", "seed = 2\n")
+            self.assertEqual(self.experiment(name, "small").returncode, 0)
+            self.assertFalse((self.tree / f"paper/{name}/champions.csv").exists())
+            self.assertFalse(list((self.tree / f"paper/{name}").glob("*.svg")))
+            self.assertIn("small,2,1,9,16,", self.text(f"build/paper/{name}/champions.csv"))
+            self.assertEqual(self.experiment(name, "two_scales").returncode, 0)
+            self.assertIn("two_scales,2,1,9,16,", self.text(f"paper/{name}/champions.csv"))
+            self.assertTrue((self.tree / f"paper/{name}/champions_two_scales_2.svg").exists())
+
+    def test_is_refused_where_no_robot_has_a_fitness(self):
+        self.put("found/generations.csv", "generation,best_fitness_body_lengths\n0,\n1,\n")
+        self.put("found/lineage.csv", "individual,phenotype\n3,111000000000000000000000000\n")
+        self.put("small.toml", "seed = 2\n")
+        outcome = self.call("paper/champion.py", "take", "found", "small.toml", "2", "champions.csv")
+        self.assertEqual(outcome.returncode, 2, outcome.stderr)
+        self.assertIn("generations.csv: no robot of the search has a fitness", outcome.stderr)
+        self.assertFalse((self.tree / "champions.csv").exists())
+
     def test_is_kept_with_its_picture(self):
         self.put_searches()
         for _ in range(2):  # the second takes the place of the first
