@@ -7,15 +7,19 @@ part no_drag "10 min" "the text does not mention it: no global damping"
 part free_rotation "10 min" "the text does not mention it: standing voxels may turn"
 part half_step "20 min" "sensitivity: half the time step"
 part no_collisions "8 min" "sensitivity: bodies that go through themselves"
-part double "20 min" "sensitivity: double precision"
+part_on_request double "20 min" "sensitivity: double precision"
 part_on_request no_drag_half_step "20 min" "sensitivity: no global damping, half the time step"
 part summary "1 min" "the tables and the picture of all variants that there are"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 summary() { "$study/discrepancies.py" summary; }
 
-# The walks of a variant, if they are not there already.
+# The walks of a variant, if they are not there already: a clone has those of most. To make them anew, remove walks/NAME.csv.
 walks() {
+  if [ -e "$study/walks/$1.csv" ]; then
+    say "discrepancies: $study/walks/$1.csv is there; remove it to make it anew"
+    return
+  fi
   "$study/discrepancies.py" study "$1" "$results/$1.toml"
   menger evolve "$results/$1.toml" --output "$results/$1.sqlite"
   menger export "$results/$1.sqlite" --output "$results/$1" --individuals --levels 1 --no-frames --no-pictures

@@ -122,6 +122,10 @@ class Discrepancies(Case):
         plain = tomllib.loads((SOURCES / "paper/discrepancies/population.toml").read_text())
         self.assertEqual(study["integration"].pop("time_step_fraction"), 0.45)
         self.assertEqual(study, plain)
+        self.done(self.script, "study", "double", self.tree / "out/double.toml")
+        study = tomllib.loads((self.tree / "out/double.toml").read_text())
+        self.assertEqual((study["integration"].pop("number"), plain["integration"].pop("number")), ("float64", "float32"))
+        self.assertEqual(study, plain, "the damping is that of the others")
         self.refused("there is no variant ham; there are text", self.script, "study", "ham", self.tree / "ham.toml")
 
     def test_every_variant_with_walks_has_its_part(self):

@@ -277,6 +277,22 @@ class Experiments(PaperTest):
             self.assertIn(f"GENERATIONS={wrong}: must be a whole number", outcome.stderr)
 
 
+    def test_walks_that_are_there_are_not_made_anew(self):
+        self.put("paper/walked/experiment.sh", (SOURCES / "paper/discrepancies/experiment.sh").read_text())
+        self.put("paper/walked/discrepancies.py", '#!/bin/sh\necho "$*" >>calls\n', executable=True)
+        self.put("paper/walked/walks/text.csv", "individual\n1\n")
+        outcome = self.experiment("walked", "text", "half_step", "summary")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        out = "build/paper/walked"
+        walked = [f"study half_step {out}/half_step.toml", f"evolve {out}/half_step.toml --output {out}/half_step.sqlite", f"take {out}/half_step/individuals.csv half_step"]
+        self.assertEqual(self.text("calls").splitlines(), [*walked, "summary"])
+        self.assertIn("paper/walked/walks/text.csv is there; remove it to make it anew", outcome.stdout)
+        (self.tree / "paper/walked/walks/text.csv").unlink()
+        (self.tree / "calls").unlink()
+        self.assertEqual(self.experiment("walked", "text").returncode, 0)
+        self.assertEqual(self.text("calls").splitlines(), [line.replace("half_step", "text") for line in walked])
+
+
 class Champion(PaperTest):
     def shape(self, *layers):
         """Layers from the ground up, each of three rows of constant y."""
