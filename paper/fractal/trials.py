@@ -117,10 +117,10 @@ def comparisons(arms):
 
 
 def draw_mean(panel, curves, colour, dashes, label):
-    """The mean of curves with its 95 % interval, which one curve has not."""
+    """The mean of curves with its 95 % interval, which one curve has not, at the generations that all of them have."""
     curves = np.array(curves)
-    curves = curves[:, ~np.isnan(curves).any(axis=0)]
-    generations = range(np.shape(curves)[1])
+    generations = np.flatnonzero(~np.isnan(curves).any(axis=0))
+    curves = curves[:, generations]
     panel.plot(generations, curves.mean(axis=0), linestyle=dashes, color=colour, label=label)
     if len(curves) > 1:
         spans = [mean(column) for column in curves.T]
@@ -156,6 +156,8 @@ def draw_scales(panel, trials):
 
 def draw_dimensions(panel, trials):
     """A line of steps for each trial, a hair beside those with the same cells, and a point for each at the end."""
+    from matplotlib.ticker import MaxNLocator  # only where a figure is drawn, as pyplot
+
     colours = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
     panel.axhspan(2.5, 2.7, color="#F0E442", alpha=0.3, linewidth=0)
     panel.axhline(2.0, color="#222222", linestyle="--", linewidth=1)
@@ -171,6 +173,8 @@ def draw_dimensions(panel, trials):
     labels = last * (1.03 + 0.02 * max(taken.values()))
     for height, text in ((2.6, "2.5 to 2.7"), (2.0, "H = 2 (plane)")):
         panel.annotate(text, (labels, height + 0.01), va="bottom" if height == 2.0 else "center")
+    # Beyond the last generation are points and words, and no ticks.
+    panel.set_xticks([tick for tick in MaxNLocator("auto", steps=(1, 2, 2.5, 5, 10), integer=True).tick_values(0, last) if 0 <= tick <= last])
     lowest = min(np.nanmin(trial.dimension) for trial in trials)
     panel.set(xlabel="generation (at the end a point for each trial)", ylabel="Hausdorff dimension H\nof the best robot", ylim=(min(1.75, lowest - 0.1), 3.08), xlim=(0, labels + 0.21 * last))
 
@@ -204,7 +208,7 @@ def draw(arms):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
-        if "generation" in panel.get_xlabel():
+        if panel.get_xlabel() == "generation":
             panel.xaxis.get_major_locator().set_params(integer=True)
     settle(figure)
     write_svg(figure, HERE / "trials.svg")

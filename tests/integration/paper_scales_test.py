@@ -431,6 +431,35 @@ class Trials(Case):
         self.assertEqual(len(table_of(folder / "champions.csv")), 25)
         xml.dom.minidom.parse(str(folder / "trials.svg"))
 
+    def test_means_stand_at_their_generations(self):
+        script = module_of("paper/fractal/trials.py")
+        drawn = {}
+
+        class Panel:
+            def plot(self, x, y, **_):
+                drawn["line"] = (list(x), list(y))
+
+            def fill_between(self, x, low, high, **_):
+                drawn["band"] = (list(x), list(low), list(high))
+
+        nan = math.nan
+        script.draw_mean(Panel(), [[nan, 1.0, 2.0, nan, 4.0], [0.0, 1.0, 2.0, 3.0, 6.0]], "k", "-", "")
+        self.assertEqual(drawn["line"], ([1, 2, 4], [1.0, 2.0, 5.0]), "generations 0 and 3, which one curve lacks, are left out")
+        self.assertEqual(drawn["band"][0], [1, 2, 4])
+
+    def test_ticks_of_the_dimension_end_with_the_trials(self):
+        script = module_of("paper/fractal/trials.py")
+        pyplot = script.pyplot_for_svg()
+
+        class Made:
+            def __init__(self, generations):
+                self.dimension = script.np.full(generations + 1, 2.5)
+
+        for generations, ticks in ((20, [0, 5, 10, 15, 20]), (3, [0, 1, 2, 3]), (325, [0, 50, 100, 150, 200, 250, 300]), (0, [0, 1])):
+            panel = pyplot.figure().add_subplot()
+            script.draw_dimensions(panel, [Made(generations)] * 2)
+            self.assertEqual(list(panel.get_xticks()), ticks)
+
     def test_takes_trials_of_three_scales_and_other_lengths(self):
         for seed in range(1, 5):
             self.trial("fractal/two_scales", seed, 1.0)
