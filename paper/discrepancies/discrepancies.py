@@ -24,8 +24,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import bootstrap, median, rank_correlation, share, spearman  # noqa: E402
-from scale_invariance import angle_and_factor, carries_over  # noqa: E402
+from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, median, rank_correlation, share, spearman, verdict  # noqa: E402
+from scale_invariance import angle_and_factor, by_chance, carries_over  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
@@ -224,36 +224,32 @@ def failures(text, walks, level):
         yield row
 
 
-def carried_by_chance(lower_m, upper_m):
-    """The share of robots that carry over where each is compared with every other one."""
-    lower, upper = (index.ravel() for index in np.indices((len(lower_m), len(upper_m))))
-    others = lower != upper
-    return float(np.mean(carries_over(*angle_and_factor(lower_m[lower[others]], upper_m[upper[others]]))))
-
-
-def verdict(row, name, against):
-    """Whether a number is above what it would be by chance: yes, no (it is below), or open, as its interval has it inside."""
-    low, high = row[f"{name}_low"], row[f"{name}_high"]
-    return "open" if low is None or high is None or low <= against <= high else "yes" if low > against else "no"
+def judged(name, estimate, against):
+    """The cells of an estimate, with a verdict on whether it is above what it would be by chance."""
+    return interval(name, estimate) | {f"{name}_verdict": verdict(estimate, against)}
 
 
 def from_scale_to_scale(walks, lower, upper):
-    """What of the paper's statements random robots show from one scale to the next."""
+    """What of the paper's statements random robots show from one scale to the next.
+
+    Which scale is the slower one is asked of robots that move at either of them: those that move at the smaller one were chosen
+    because they are fast there, so that by chance alone more than half of them would be slower at the larger one.
+    """
     small, large = walks.body_lengths(lower), walks.body_lengths(upper)
     ended = walks.ended_at(lower) & walks.ended_at(upper)
+    at_either = ended & (walks.moves(lower) | walks.moves(upper))
     moving = ended & walks.moves(lower)
-    count = int(moving.sum())
-    row = {"ended": int(ended.sum()), "moving": count}
-    if count > 1:
-        row |= interval("larger_is_slower", share(int(np.sum((large < small)[moving])), count))
-        row["larger_is_slower_verdict"] = verdict(row, "larger_is_slower", 0.5)
-        row |= interval("speed_factor", median(large[moving] / small[moving]))
+    row = {"ended": int(ended.sum()), "moving_at_either": int(at_either.sum()), "moving": int(moving.sum())}
+    if row["moving_at_either"] > 1:
+        row |= judged("larger_is_slower", share(int(np.sum((large < small)[at_either])), row["moving_at_either"]), 0.5)
+        row["larger_is_slower_outcome"] = OUTCOMES[row["larger_is_slower_verdict"]]
+        with np.errstate(divide="ignore", invalid="ignore"):  # who does not move at all at the smaller scale is infinitely faster at the larger one
+            row |= interval("speed_factor", median(large[at_either] / small[at_either]))
+    if row["moving"] > 1:
         ends_m = walks.ends_m[lower][moving], walks.ends_m[upper][moving]
-        row |= interval("carried_over", share(int(np.sum(carries_over(*angle_and_factor(*ends_m)))), count))
-        row["carried_over_by_chance"] = carried_by_chance(*ends_m)
-        row["carried_over_verdict"] = verdict(row, "carried_over", row["carried_over_by_chance"])
-        row |= interval("scales_spearman", spearman(small[ended], large[ended]))
-        row["scales_spearman_verdict"] = verdict(row, "scales_spearman", 0.0)
+        row["carried_over_by_chance"] = by_chance(*ends_m)["carried_over"]
+        row |= judged("carried_over", share(int(np.sum(carries_over(*angle_and_factor(*ends_m)))), row["moving"]), row["carried_over_by_chance"])
+        row |= judged("scales_spearman", spearman(small[ended], large[ended]), 0.0)
     return row
 
 
@@ -263,13 +259,12 @@ def of_fitness(walks):
     fitness, cells = walks.fitness()[ended], walks.cells()[ended]
     if len(fitness) < 2:
         return {}
-    row = interval("dimension_spearman", spearman(np.log(cells) / np.log(3.0), fitness))
-    row["dimension_spearman_verdict"] = verdict(row, "dimension_spearman", 0.0)
-    sponges = (cells >= SPONGE_CELLS[0]) & (cells <= SPONGE_CELLS[1])
-    best = np.argsort(-fitness, kind="stable")[:max(1, len(fitness) // 10)]
-    row["sponges"] = float(np.mean(sponges))
-    row |= interval("best_tenth_sponges", share(int(np.sum(sponges[best])), len(best)))
-    row["best_tenth_sponges_verdict"] = verdict(row, "best_tenth_sponges", row["sponges"])
+    row = judged("dimension_spearman", spearman(np.log(cells) / np.log(3.0), fitness), 0.0)
+    sponges = ((cells >= SPONGE_CELLS[0]) & (cells <= SPONGE_CELLS[1]))[np.argsort(-fitness, kind="stable")]
+    tenth = max(1, len(fitness) // 10)
+    best, others = (int(np.sum(part)) for part in (sponges[:tenth], sponges[tenth:]))
+    row |= {"best_tenth_sponges": best / tenth, "other_sponges": others / (len(fitness) - tenth)}
+    row |= judged("more_sponges", difference_of_shares(best, tenth, others, len(fitness) - tenth), 0.0)
     scores = walks.scores()[:, ended]
     row |= interval("smallest_scale_decides", share(int(np.sum(scores[0] < np.min(scores[1:], axis=0))), len(fitness)))
     least = np.min([walks.body_lengths(level)[ended] for level in walks.levels], axis=0) * 60.0 / walks.duration_s
@@ -285,11 +280,11 @@ class Conclusion:
 
 
 CONCLUSIONS = {
-    "larger_is_slower": Conclusion("of the robots that move, more than half are slower at the larger scale, in body lengths", True),
+    "larger_is_slower": Conclusion("of the robots that move at either scale, more than half are slower at the larger one, in body lengths", True),
     "carried_over": Conclusion("more robots carry direction and speed over to the larger scale than by chance", True),
     "scales_spearman": Conclusion("who is fast at the smaller scale is fast at the larger one (rank correlation above 0)", True),
     "dimension_spearman": Conclusion("fitness rises with the Hausdorff dimension (rank correlation above 0)", False),
-    "best_tenth_sponges": Conclusion("bodies of a dimension of 2.5 to 2.7 are more frequent among the best tenth than among all", False),
+    "more_sponges": Conclusion("bodies of a dimension of 2.5 to 2.7 are more frequent among the best tenth than among the others (difference of shares)", False),
 }
 
 

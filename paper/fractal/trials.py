@@ -4,7 +4,11 @@
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              and three_scales/SEED.csv in both folders
 
-Arms of different lengths are compared at the last generation that both have. Exit codes: 0 done, 2 wrong input.
+Arms of different lengths are compared at the last generation that both have. The best robot of a trial at first and at the end, and a
+champion at two scales, are pairs: p is that of the signed-rank test. The rank-sum test, which the paper used and which takes them for
+samples apart, stands beside it. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect,
+"not reproduced" on the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05).
+Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
@@ -15,7 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import mean, rank_sum, share  # noqa: E402
+from sample_statistics import OUTCOMES, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -29,6 +33,9 @@ SCALE_STYLES = {1: ("#E69F00", "-"), 2: ("#0072B2", "--"), 3: ("#CC79A7", ":")}
 WITHOUT_DIMENSION = ("non_fractal", "non_fractal_three_scales")  # no fractals, which have none
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"))
 DURATION_S = 5.0
+PAPER_CHAMPIONS = 10  # of which there are as many of both dimensions
+PAPER_OF_A_DIMENSION = 5
+LARGEST_P = 0.05  # with which shares differ
 PER_MINUTE = 60.0 / DURATION_S
 
 
@@ -70,35 +77,41 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
-def with_interval(name, count, of):
+def dimension_share(name, count, of):
     found = share(count, of)
-    return {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high}
+    p = fisher(count, of, PAPER_OF_A_DIMENSION, PAPER_CHAMPIONS)
+    return {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high, f"{name}_p_paper": p,
+            f"{name}_outcome": "differs" if p < LARGEST_P else "open"}
 
 
 def dimensions_of(arm, trials):
     """How many fractal trials end with nine cells, as a plane has, and how many between 2.5 and 2.7; nothing for others."""
     names = ("dimension_2", "dimension_2.5_to_2.7")
     if arm in WITHOUT_DIMENSION:
-        return {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")}
+        return {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high", "_p_paper", "_outcome")}
     ends = [trial.dimension[-1] for trial in trials]
-    return with_interval(names[0], sum(abs(end - 2.0) < 1e-9 for end in ends), len(ends)) | with_interval(names[1], sum(2.5 < end < 2.7 for end in ends), len(ends))
+    counts = (sum(abs(end - 2.0) < 1e-9 for end in ends), sum(2.5 < end < 2.7 for end in ends))
+    return dimension_share(names[0], counts[0], len(ends)) | dimension_share(names[1], counts[1], len(ends))
 
 
 def statistics(arms):
     """Of the scales the largest is compared with the one before it."""
     rows = []
     for arm, trials in arms.items():
-        first, last = mean([trial.best[0] for trial in trials]), mean([trial.best[-1] for trial in trials])
+        firsts, lasts = ([trial.best[at] for trial in trials] for at in (0, -1))
+        first, last, gain = mean(firsts), mean(lasts), mean([one - other for one, other in zip(lasts, firsts)])
         levels = list(trials[0].speeds)
         smaller, larger = ([trial.last_speed(level) for trial in trials] for level in levels[-2:])
         slower = share(sum(one < other for one, other in zip(larger, smaller)), len(trials))
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1,
                      "first": first.value, "first_low": first.low, "first_high": first.high,
                      "last": last.value, "last_low": last.low, "last_high": last.high,
-                     "p_first_last": rank_sum([trial.best[-1] for trial in trials], [trial.best[0] for trial in trials]).p,
+                     "gain": gain.value, "gain_low": gain.low, "gain_high": gain.high, "gain_outcome": OUTCOMES[verdict(gain, 0.0)],
+                     "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts).p,
                      "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}",
                      "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
-                     "p_scales": rank_sum(smaller, larger).p} | dimensions_of(arm, trials))
+                     "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)],
+                     "p_scales": signed_rank(smaller, larger), "p_scales_rank_sum": rank_sum(smaller, larger).p} | dimensions_of(arm, trials))
     return rows
 
 
@@ -112,6 +125,7 @@ def comparisons(arms):
         test = rank_sum(*ends)
         rows.append({"arms": f"{first} and {second}", "trials": len(ends[0]), "other_trials": len(ends[1]), "generations": shared, "p": test.p,
                      "larger": test.larger.value, "larger_low": test.larger.low, "larger_high": test.larger.high,
+                     "larger_outcome": OUTCOMES[verdict(test.larger, 0.5)],
                      "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))})
     return rows
 

@@ -23,7 +23,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import fisher, median, share, spearman  # noqa: E402
+from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, share, spearman, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -33,7 +33,6 @@ LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
 PER_MINUTE = 60.0 / 5.0
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
-RESAMPLES = 2000  # of robots that are paired by chance
 GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
           "three_scales": "evolved at three scales"}
 FASTEST = (100, 25)  # of the random robots, groups of their own
@@ -141,13 +140,11 @@ MEASURES = {"carried_over": carries_over, "same_way": same_way, "like_speed": li
 
 
 def by_chance(lower_m, upper_m):
-    """The shares where each robot is compared with another one of its group."""
-    draw = np.random.default_rng(1)
-    shares = []
-    for _ in range(RESAMPLES):
-        found = angle_and_factor(lower_m, upper_m[draw.permutation(len(upper_m))])
-        shares.append([np.mean(measure(*found)) for measure in MEASURES.values()])
-    return dict(zip(MEASURES, np.mean(shares, axis=0).tolist()))
+    """The shares where each robot is compared with every other one of its group."""
+    lower, upper = (index.ravel() for index in np.indices((len(lower_m), len(upper_m))))
+    others = lower != upper
+    found = angle_and_factor(lower_m[lower[others]], upper_m[upper[others]])
+    return {name: float(np.mean(measure(*found))) for name, measure in MEASURES.items()}
 
 
 def fitness(rows):
@@ -210,7 +207,7 @@ def statistics_of(group, label, rows, lower, upper):
 
 
 def comparisons(every):
-    """Fisher's exact tests of evolved robots against random ones, and how many of these reach the fitness of the evolved."""
+    """Evolved robots against random ones: Fisher's exact tests, differences of shares, and how many random ones reach the fitness of the evolved."""
     rows = []
     sets = with_fastest(every)
     for group in GROUPS:
@@ -225,8 +222,10 @@ def comparisons(every):
                     continue
                 row = {"groups": f"{group} and {other}", "levels": f"{lower} to {lower + 1}", "robots": len(samples[0][0]), "other_robots": len(samples[1][0])}
                 for name, measure in MEASURES.items():
-                    hits = [measure(*angle_and_factor(*sample)) for sample in samples]
-                    row[f"p_{name}"] = fisher(int(hits[0].sum()), len(hits[0]), int(hits[1].sum()), len(hits[1]))
+                    counts = [number for sample in samples for number in (int(measure(*angle_and_factor(*sample)).sum()), len(sample[0]))]
+                    more = difference_of_shares(*counts)
+                    row |= {f"p_{name}": fisher(*counts), f"more_{name}": more.value, f"more_{name}_low": more.low, f"more_{name}_high": more.high,
+                            f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0)]}
                 row["as_fit_as_the_slowest"] = int(np.sum(fitness(sets[other][1]) >= slowest))
                 rows.append({key: cell(value) for key, value in row.items()})
     return rows
