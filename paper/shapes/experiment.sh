@@ -53,12 +53,9 @@ without_elbows() {
 
 # Without the names of files of the machine that they were made on.
 curves() {
-  local curve kept=voxel/curves/dragon_skin_10_1cm
+  local file kept=voxel/curves/dragon_skin_10_1cm
   menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml --output "$results/curves" --no-pictures
   mkdir -p "$kept"
-  for curve in "$results/curves"/*.csv; do
-    curve=$(basename "$curve" .csv)
-    cp "$results/curves/$curve.csv" "$kept"
-    sed '/^\[\[inputs\]\]/,/^content_hash/d' "$results/curves/$curve.toml" >"$kept/$curve.toml"
-  done
+  cp "$results"/curves/*_*.csv "$kept"
+  for file in "$results"/curves/*_*.toml; do sed '/^\[\[inputs\]\]/,/^content_hash/d' "$file" >"$kept/$(basename "$file")"; done
 }
