@@ -11,7 +11,7 @@ part_on_request curves "25 min of one core" "the curves that voxels are fitted t
 fit() {
   menger calibrate voxel/studies/dragon_skin_10_1cm.toml --output "$results/calibration"
   table "$results/calibration/details.csv" "$study/details.csv"
-  "$study/fit.py" values voxel/parameters/dragon_skin_10_1cm.toml "$study/fit.csv"
+  "$study/fit.py" values "$results/calibration/parameters.toml" "$study/fit.csv"
 }
 
 held_out() {

@@ -23,6 +23,7 @@ def values_of(parameters):
     for name, value, interval in (
             ("reduced_chi2", fit["reduced_chi2"], None), ("parameters", fit["parameters"], None), ("residuals", fit["residuals"], None),
             ("curves", len(fit["curves"]), None), ("at_bound", len(fit["at_bound"]), None), ("wide", len(fit["wide"]), None),
+            ("no_influence", len(fit["no_influence"]), None),
             ("elbow_ratio", parameters["extension"]["elbow_ratio"], "elbow_ratio"),
             ("neck_ratio", parameters["bulge"]["neck_ratio"], "bulge_neck_ratio"),
             ("axial_Pa", parameters["stiffness"]["axial_Pa"][-1], "axial_Pa"),

@@ -27,6 +27,7 @@ residuals = 100
 parameters = 7
 wide = ["a", "b"]
 at_bound = []
+no_influence = ["c"]
 [fit.confidence_95]
 elbow_ratio = [3.0, 3.5]
 bulge_neck_ratio = "not determined"
@@ -58,7 +59,7 @@ class Fit(unittest.TestCase):
         self.assertEqual(rows["elbow_ratio"], ["3.25", "3", "3.5"])
         self.assertEqual(rows["neck_ratio"], ["1.5", "", ""], "one that is not determined has no interval")
         self.assertEqual(rows["axial_Pa"], ["2", "", ""], "that of four walls")
-        self.assertEqual([rows[name][0] for name in ("curves", "wide", "at_bound")], ["2", "2", "0"])
+        self.assertEqual([rows[name][0] for name in ("curves", "wide", "at_bound", "no_influence")], ["2", "2", "0", "1"])
 
     def test_other_files_are_refused(self):
         (self.folder / "other.toml").write_text("[fit]\n")

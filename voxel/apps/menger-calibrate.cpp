@@ -34,8 +34,7 @@ struct Arguments {
 std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments) {
   CLI::App app("Fits the parameters of the voxel surrogate to response curves of finite elements.", "menger calibrate");
   app.footer(
-      "Example:\n  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml -o curves\n"
-      "  menger calibrate voxel/studies/dragon_skin_10_1cm.toml --curves curves -o calibration\n"
+      "Example:\n  menger calibrate voxel/studies/dragon_skin_10_1cm.toml -o calibration\n"
       "writes calibration/parameters.toml (for [surrogate] of scenes and searches), result.toml, details.csv, parameters.csv,\n"
       "correlation.csv, residuals.csv, responses.csv, a picture of every curve, agreement.png and manifest.json.\n"
       "Exit codes: 0 done, 2 wrong input, 3 the fit did not converge (the best parameters found are written, with\n"
