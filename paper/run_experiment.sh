@@ -13,8 +13,8 @@
 #   table, gather         paper/tables.py take and gather, which make small tables of results
 #   search STUDY          runs a search and makes the table STUDY.csv of its generations
 #   search STUDY SEED     the same with another seed, and the table STUDY/SEED.csv
-#   champion STUDY        keeps the champion of such a search in champions.csv, with a small picture
-#   champion STUDY TABLE  the same in another table, such as one of the results
+#   search_with_champion STUDY [TABLE]
+#                         the same, and keeps its champion with a small picture in champions.csv, or in another table
 #   trial STUDY SEED [N]  a long trial at three scales, and the table three_scales/SEED.csv; N generations in place of the study's
 #   "${generations[@]}"   an option for other calls of menger evolve
 # GENERATIONS=N in the environment gives the searches of the paper N generations, whatever their study says:
@@ -82,7 +82,11 @@ search() {
   table "$out/generations.csv" "$kept"
 }
 
-champion() { paper/champion.py take "$results/$1" "$study/$1.toml" "$(sed -n 's/^seed = //p' "$study/$1.toml")" "${2:-$study/champions.csv}"; }
+# The same, and its champion: in a table of the study folder, or in another one that is given.
+search_with_champion() {
+  search "$1"
+  paper/champion.py take "$results/$1" "$study/$1.toml" "$(sed -n 's/^seed = //p' "$study/$1.toml")" "${2:-$study/champions.csv}"
+}
 
 trial() {
   local code=0 out=$results/three_scales_$2 generations

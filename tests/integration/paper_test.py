@@ -31,7 +31,7 @@ SEARCHES = """# Does it evolve?
 part small "a minute" "a search"
 part seeded "a minute" "another"
 part_on_request forty "an hour" "a trial"
-small() { search small; champion small; }
+small() { search_with_champion small; }
 seeded() { search small 7; }
 forty() { trial small 3 40; search small 8; }
 """
