@@ -199,7 +199,7 @@ std::string WalkEvaluator::physics() const {
   text.add("model", to_string(EvaluationModel::finite_elements)).add("duration_s", study_.duration_s);
   if (study_.measure_from_s > 0.0) text.add("measure_from_s", study_.measure_from_s);
   if (const auto last = measured_periods(study_)) text.add("measure_periods", last->count);
-  if (measured_periods(study_) && study_.largest_lean_deg < 180.0) text.add("largest_lean_deg", study_.largest_lean_deg);
+  if (tells_falls(study_)) text.add("largest_lean_deg", study_.largest_lean_deg);
   text.add("record_interval_s", record_interval_s(study_));
   if (study_.device != io::Device::cpu) text.add("device", to_string(study_.device));
   io::StudyTextWriter moving;
