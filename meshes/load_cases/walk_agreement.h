@@ -18,7 +18,7 @@ enum class WalkAgreement { alike, both_go_nowhere, same_direction, different, on
 /// The limits by which walks are compared. They are choices; they decide words, never numbers.
 namespace walk_limits {
 /// A shorter walk is none, and has no direction. Small changes of step, ground, friction or pressure move where a robot of some
-/// centimetres ends by 1.9 mm in 5 s (paper/results.md), which is about this.
+/// centimetres ends by 1.9 mm in 5 s (paper/known_walks/README.md), which is about this.
 inline constexpr double least_body_lengths = 0.1;
 inline constexpr double same_speed = 1.5;           ///< speeds agree if neither is more than this times the other
 inline constexpr double comparable_speed = 3.0;     ///< beyond it, walks differ in whatever direction they go
