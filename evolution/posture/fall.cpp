@@ -17,8 +17,8 @@
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "io/vtk/collection.h"
-#include "meshes/load_cases/body_extents.h"
 #include "meshes/load_cases/lean.h"
+#include "meshes/load_cases/outermost_points.h"
 
 namespace menger::evolution {
 namespace {
@@ -26,59 +26,32 @@ namespace {
 namespace fs = std::filesystem;
 using Place = std::array<double, 3>;
 
-/// How a body stands, by the ends that it has in its first frame.
+std::vector<Place> points_of(vtkUnstructuredGrid& grid) {
+  std::vector<Place> points(static_cast<std::size_t>(grid.GetNumberOfPoints()));
+  for (std::size_t n = 0; n < points.size(); ++n) grid.GetPoint(static_cast<vtkIdType>(n), points[n].data());
+  return points;
+}
+
+/// How a body stands in its frames, by the outermost points of its first.
 class Posture {
  public:
-  explicit Posture(vtkUnstructuredGrid& first) : count_(first.GetNumberOfPoints()) {
-    constexpr double rounding = 1e-6;  // of the extent of the body
-    for (vtkIdType n = 0; n < count_; ++n) at_rest_m_.push_back(place_of(first, n));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::ranges::minmax(at_rest_m_, {}, [&](const Place& place) { return place.at(axis); });
-      const double within_m = rounding * (high.at(axis) - low.at(axis));
-      for (std::size_t n = 0; n < at_rest_m_.size(); ++n) {
-        if (at_rest_m_[n].at(axis) <= low.at(axis) + within_m) ends_.at(axis)[0].push_back(n);
-        if (at_rest_m_[n].at(axis) >= high.at(axis) - within_m) ends_.at(axis)[1].push_back(n);
-      }
-    }
-  }
+  explicit Posture(const std::vector<Place>& at_rest_m) : count_(at_rest_m.size()), outermost_(at_rest_m) {}
 
-  /// The direction into which the rotation of the body turns the vertical. @throws io::InputError if the frame is of another mesh
+  /// Returns the body's own upright axis. @throws io::InputError if the frame is of another mesh
   [[nodiscard]] Place upright(const fs::path& file) const {
     const auto grid = read_frame_grid(file);
     vtkDataArray* moved = grid->GetPointData()->GetArray("displacement_m");
-    if (moved == nullptr || grid->GetNumberOfPoints() != count_)
+    if (moved == nullptr || static_cast<std::size_t>(grid->GetNumberOfPoints()) != count_)
       throw io::InputError(file.string() + ": is of another mesh than the first frame");
-    std::vector<Place> places_m = at_rest_m_;
-    for (std::size_t n = 0; n < places_m.size(); ++n)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        places_m[n].at(axis) += moved->GetComponent(static_cast<vtkIdType>(n), static_cast<int>(axis));
-    const auto rotation = meshes::rotation_of_body(ends_m(at_rest_m_), ends_m(places_m));
-    return {rotation[0][2], rotation[1][2], rotation[2][2]};
+    std::vector<double> displacements_m(3 * count_);
+    for (std::size_t n = 0; n < displacements_m.size(); ++n)
+      displacements_m[n] = moved->GetComponent(static_cast<vtkIdType>(n / 3), static_cast<int>(n % 3));
+    return outermost_.upright_axis(displacements_m);
   }
 
  private:
-  static Place place_of(vtkUnstructuredGrid& grid, vtkIdType n) {
-    Place place{};
-    grid.GetPoint(n, place.data());
-    return place;
-  }
-
-  [[nodiscard]] meshes::EndPoints ends_m(const std::vector<Place>& places_m) const {
-    meshes::EndPoints ends{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t end = 0; end < 2; ++end) {
-        const std::vector<std::size_t>& points = ends_.at(axis).at(end);
-        for (const std::size_t n : points)
-          for (std::size_t i = 0; i < 3; ++i)
-            ends.at(axis).at(end).at(i) += places_m[n].at(i) / static_cast<double>(points.size());
-      }
-    }
-    return ends;
-  }
-
-  vtkIdType count_;
-  std::vector<Place> at_rest_m_;
-  std::array<std::array<std::vector<std::size_t>, 2>, 3> ends_;
+  std::size_t count_;
+  meshes::OutermostPoints outermost_;
 };
 
 /// The frames at the ends of strokes, the one before them all first.
@@ -104,7 +77,7 @@ std::vector<io::CollectionEntry> frames_at_ends(const fs::path& folder, double p
 }
 
 std::optional<Fall> first_fall(const fs::path& folder, const std::vector<io::CollectionEntry>& frames) {
-  const Posture posture(*read_frame_grid(folder / frames.front().file));
+  const Posture posture(points_of(*read_frame_grid(folder / frames.front().file)));
   const Place first = posture.upright(folder / frames[1].file);
   for (std::size_t n = 2; n < frames.size(); ++n) {
     const Place now = posture.upright(folder / frames[n].file);

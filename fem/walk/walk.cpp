@@ -31,7 +31,7 @@ WalkResult walk(const WalkInput& input, const std::atomic<bool>* stop) {
 Walk::Walk(const PreparedWalk& walk, WalkDynamics& dynamics)
     : dynamics_(dynamics),
       overlaps_(walk.mesh),
-      posture_(walk.mesh),
+      outermost_(walk.mesh.points),
       times_s_(record_times_s(walk)),
       plena_(walk.mesh.plenum_names.size()),
       chambers_(walk.mesh.chambers.size()) {
@@ -90,7 +90,7 @@ bool Walk::go_on() {
 
 void Walk::add_record() {
   result_.records.push_back(dynamics_.record());
-  result_.records.back().upright = posture_.upright_axis(dynamics_.displacements_m());
+  result_.records.back().upright = outermost_.upright_axis(dynamics_.displacements_m());
 }
 
 WalkProgress Walk::progress() const {

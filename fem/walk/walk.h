@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "fem/contact/body_overlap.h"
-#include "fem/walk/body_posture.h"
 #include "fem/walk/walk_dynamics.h"
 #include "fem/walk/walk_input.h"
 #include "fem/walk/walk_result.h"
+#include "meshes/load_cases/outermost_points.h"
 
 namespace menger::fem {
 
@@ -75,7 +75,7 @@ class Walk {
 
   WalkDynamics& dynamics_;
   BodyOverlapSearch overlaps_;
-  BodyPosture posture_;
+  meshes::OutermostPoints outermost_;
   std::vector<double> times_s_;  ///< of all records but that of the start
   std::size_t plena_;
   std::size_t chambers_;

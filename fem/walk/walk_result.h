@@ -21,7 +21,7 @@ struct WalkRecord {
   std::vector<double> chamber_volumes_m3{};
   MotionEnergies energies{};
   double ground_force_N = 0.0;   ///< upwards
-  Point upright{0.0, 0.0, 1.0};  ///< the body's own upright axis, see BodyPosture
+  Point upright{0.0, 0.0, 1.0};  ///< the body's own upright axis, see meshes::OutermostPoints
 };
 
 /// The result of a walk.
