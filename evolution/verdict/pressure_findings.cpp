@@ -86,7 +86,7 @@ Finding limit_finding(const InflationFacts& facts, const KnownPressures& known, 
                   meshes::safe_margin_text() + " or more below that";
   if (facts.stated.elements == "thin_wall")
     finding.text += " and below what it may be: thin walls put limit pressures " + meshes::thin_wall_excess_text() +
-                    " higher than three-field elements do (fem/README.md)";
+                    " higher than three-field elements do (fem/load_cases/README.md)";
   finding.text += ".";
   if (known.drive_Pa) {
     const double share = *known.drive_Pa / limit_Pa;

@@ -20,7 +20,7 @@ inline constexpr double largest_safe_share = 0.8;
 std::string safe_margin_text();
 
 /// By how much limit pressures of thin walls came out higher than those of three-field elements, at least and at most
-/// (fem/README.md, Load cases).
+/// (fem/load_cases/README.md).
 inline constexpr double least_thin_wall_excess = 0.01;
 inline constexpr double largest_thin_wall_excess = 0.12;
 

@@ -14,7 +14,7 @@ inline constexpr double largest_shape_error = 0.15;
 inline constexpr double largest_quadratic_bend_excess = 0.03;
 
 /// Returns by how much less fingers of thin walls bend than those of quadratic elements with two layers through the wall, of what
-/// they bend (fem/README.md, Walk): "17 to 26 %". @param fidelity "draft", "standard" or "fine"; otherwise that of all of them
+/// they bend (fem/walk/README.md): "17 to 26 %". @param fidelity "draft", "standard" or "fine"; otherwise that of all of them
 std::string thin_wall_bend_deficit_text(std::string_view fidelity = {});
 
 /// Displacements of at least this, in m, are large enough that a surrogate should give them the right sign.

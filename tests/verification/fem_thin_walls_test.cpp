@@ -125,7 +125,7 @@ Spread spread_of(std::vector<double> errors) {
   return {errors.size() % 2 == 1 ? errors[half] : 0.5 * (errors[half - 1] + errors[half]), errors.back()};
 }
 
-/// The table of fem/README.md, "How far thin walls are from quadratic elements", per cent.
+/// The table of fem/walk/README.md, "How far thin walls are off", per cent.
 struct StatedErrors {
   Spread displacement;
   Spread growth;
@@ -183,7 +183,7 @@ constexpr double dragon_skin_10_Pa = 86677.0;
 
 // A finger: a row of cells with a tooth on every other one, which bends under pressure. How far the middle of its lower edge
 // moves from the line through its ends, at 6 kPa; by two layers of Q2/P1 with edges up to 3 mm 0.4542 mm, by one 0.4592 mm. The
-// deficit is that of the model; fem/README.md has others, of the far ends of fingers.
+// deficit is that of the model; fem/walk/README.md has others, of the far ends of fingers.
 TEST(ThinWallStatics, FingersBendTooLittle) {
   constexpr double expected_mm = 0.4542;
   constexpr std::array stated_percent{25.0, 17.0, 12.0};
@@ -289,7 +289,7 @@ struct Response {
   std::vector<double> imposed;
   std::size_t ordinate;                         ///< which of its columns, counted after the abscissae
   std::vector<double> expected;                 ///< by pressure and imposed value
-  std::array<double, 3> stated_errors_percent;  ///< of fem/README.md, "Load cases", by fidelity
+  std::array<double, 3> stated_errors_percent;  ///< of fem/load_cases/README.md, by fidelity
 };
 
 void expect_response(const Response& response) {
