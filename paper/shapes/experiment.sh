@@ -1,11 +1,13 @@
 # How close do voxels come to finite elements, where they are fitted and on bodies that no fit has seen?
 part fit "3 min of two cores" "the fit of the voxels to cells, bars and joints, whose curves come with menger"
+part other_fits "5 min of two cores" "the same of smaller cells, and of another silicone"
 part held_out "10 min of two cores" "fifteen other bodies, by the voxels as they are fitted in the tree"
 part aggregates "4 min of one core" "fourteen aggregates of 3 to 9 modules, likewise"
 part stepped "2 min of one core" "eight bodies with long inner edges, likewise"
+part ecoflex "10 min of two cores" "the fifteen bodies of another silicone and size of cells"
 part without_elbows "6 min of one core" "a fit in which elbows keep their angle, and the errors of both sets of bodies with it"
 
-part_on_request curves "25 min of one core" "the curves that voxels are fitted to, which come with menger (voxel/curves)"
+part_on_request curves "75 min of one core" "the curves that voxels are fitted to, which come with menger (voxel/curves)"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 fit() {
@@ -14,12 +16,19 @@ fit() {
   "$study/fit.py" values "$results/calibration/parameters.toml" "$study/fit.csv"
 }
 
+other_fits() {
+  menger calibrate voxel/studies/dragon_skin_10_0.667cm.toml --output "$results/calibration_0.667cm"
+  table "$results/calibration_0.667cm/details.csv" "$study/details_0.667cm.csv"
+  menger calibrate voxel/studies/ecoflex_00_30_12mm.toml --output "$results/calibration_ecoflex"
+  table "$results/calibration_ecoflex/details.csv" "$study/details_ecoflex.csv"
+}
+
 held_out() {
   menger load-cases fem/studies/load_cases/held_out.toml --output "$results/held_out_curves"
   menger validate voxel/studies/held_out.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
     --curves "$results/held_out_curves" --output "$results/held_out"
   table "$results/held_out/summary.csv" "$study/held_out.csv"
-  "$study/fit.py" medians "$results/held_out/errors.csv" "$study/medians.csv"
+  "$study/fit.py" medians "$results/held_out/errors.csv" "$results/held_out/expected_errors.csv" "$study/medians.csv"
 }
 
 aggregates() {
@@ -34,6 +43,13 @@ stepped() {
   menger validate voxel/studies/stepped.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
     --curves "$results/stepped_curves" --output "$results/stepped"
   table "$results/stepped/summary.csv" "$study/stepped.csv"
+}
+
+ecoflex() {
+  menger load-cases fem/studies/load_cases/held_out_ecoflex_00_30_12mm.toml --output "$results/held_out_ecoflex_curves"
+  menger validate voxel/studies/held_out_ecoflex_00_30_12mm.toml --parameters voxel/parameters/ecoflex_00_30_12mm.toml \
+    --curves "$results/held_out_ecoflex_curves" --output "$results/held_out_ecoflex"
+  "$study/fit.py" medians "$results/held_out_ecoflex/errors.csv" "$results/held_out_ecoflex/expected_errors.csv" "$study/ecoflex_medians.csv"
 }
 
 # Validates the fit in which elbows keep their angle. @param study, name of the set of bodies
@@ -51,11 +67,17 @@ without_elbows() {
   table "$results/held_out_without_elbows/expected_errors.csv" "$study/kinds_without_elbows.csv"
 }
 
-# Without the names of files of the machine that they were made on.
-curves() {
-  local file kept=voxel/curves/dragon_skin_10_1cm
-  menger load-cases fem/studies/load_cases/dragon_skin_10_1cm.toml --output "$results/curves" --no-pictures
+# Computes curves that come with menger, and keeps them without the names of files of this machine. @param study, name of the set
+keep_curves() {
+  local file kept=voxel/curves/$2
+  menger load-cases "$1" --output "$results/curves/$2" --no-pictures
   mkdir -p "$kept"
-  cp "$results"/curves/*_*.csv "$kept"
-  for file in "$results"/curves/*_*.toml; do sed '/^\[\[inputs\]\]/,/^content_hash/d' "$file" >"$kept/$(basename "$file")"; done
+  cp "$results/curves/$2"/*_*.csv "$kept"
+  for file in "$results/curves/$2"/*_*.toml; do sed '/^\[\[inputs\]\]/,/^content_hash/d' "$file" >"$kept/$(basename "$file")"; done
+}
+
+curves() {
+  keep_curves fem/studies/load_cases/dragon_skin_10_1cm.toml dragon_skin_10_1cm
+  keep_curves fem/studies/load_cases/dragon_skin_10_0.667cm.toml dragon_skin_10_0.667cm
+  keep_curves fem/studies/load_cases/ecoflex_00_30_12mm.toml ecoflex_00_30_12mm
 }

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """What texts say of a fit of voxels, as tables.
 
-fit.py values PARAMETERS.toml TABLE.csv   writes values of a fit, with their 95 % intervals where the fit has them
-fit.py medians ERRORS.csv TABLE.csv       writes median errors of groups of the bodies that menger validate compared
+fit.py values PARAMETERS.toml TABLE.csv       writes values of a fit, with their 95 % intervals where the fit has them
+fit.py medians ERRORS.csv KINDS.csv TABLE.csv writes median errors of groups of the bodies that menger validate compared, and how many
+                                              displacements go the wrong way: errors.csv and expected_errors.csv of its results
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -36,8 +37,9 @@ def values_of(parameters):
 PLATES_ON_LEGS = ("bench", "diagonal", "table", "tall_table", "three_legs")  # that were added later, for how limbs lean
 
 
-def medians_of(errors):
-    """Rows of group, displacement, volume: median errors inside the range of validity, of the largest value in a curve."""
+def medians_of(errors, kinds):
+    """Rows of group, displacement, volume: median errors inside the range of validity, of the largest value in a curve. The row of all
+    bodies has in addition how many displacements go the wrong way, of how many that are large enough to have one."""
     inside = [row for row in errors if row["validity"] == "inside"]
 
     def of(*conditions):
@@ -51,17 +53,18 @@ def medians_of(errors):
     def is_foot(row):
         return row["observable"].startswith("foot")
 
-    yield ["all", *of()]
-    yield ["without_plates_on_legs", *of(is_old)]
-    yield ["without_feet", *of(is_old, lambda row: not is_foot(row))]
-    yield ["feet", *of(is_foot)]
-    yield ["plates_on_legs", *of(lambda row: not is_old(row))]
+    yield ["all", *of(), *(sum(int(row[column]) for row in kinds) for column in ("wrong_signs", "signs"))]
+    for group, conditions in (
+            ("without_plates_on_legs", [is_old]), ("without_feet", [is_old, lambda row: not is_foot(row)]), ("feet", [is_foot]),
+            ("plates_on_legs", [lambda row: not is_old(row)])):
+        yield [group, *of(*conditions), "", ""]
 
 
 def main(arguments):
     match arguments:
-        case ["medians", errors, table]:
-            write_table(pathlib.Path(table), ["group", "displacement", "volume"], medians_of(read_table(pathlib.Path(errors))))
+        case ["medians", errors, kinds, table]:
+            rows = medians_of(read_table(pathlib.Path(errors)), read_table(pathlib.Path(kinds)))
+            write_table(pathlib.Path(table), ["group", "displacement", "volume", "wrong_signs", "signs"], rows)
         case ["values", parameters, table]:
             try:
                 rows = list(values_of(read_toml(parameters)))

@@ -75,10 +75,13 @@ class Fit(unittest.TestCase):
                 ("table", "displacement", "extent_y_m", "", "inside")]
         with open(self.folder / "errors.csv", "w", newline="", encoding="utf-8") as text:
             csv.writer(text).writerows([("body", "kind", "observable", "error", "validity"), *rows])
-        made = self.call("medians", self.folder / "errors.csv", self.folder / "table.csv")
+        (self.folder / "kinds.csv").write_text("kind,signs,wrong_signs\nlimbs,7,0\nflat_plate,5,2\n")
+        made = self.call("medians", self.folder / "errors.csv", self.folder / "kinds.csv", self.folder / "table.csv")
         self.assertEqual(made.returncode, 0, made.stderr)
-        self.assertEqual(self.table(), {"group": ["displacement", "volume"], "all": ["0.4", "0.2"], "without_plates_on_legs": ["0.2", "0.2"],
-                                        "without_feet": ["0.1", "0.2"], "feet": ["0.5", ""], "plates_on_legs": ["0.6", ""]})
+        self.assertEqual(self.table(), {
+            "group": ["displacement", "volume", "wrong_signs", "signs"], "all": ["0.4", "0.2", "2", "12"],
+            "without_plates_on_legs": ["0.2", "0.2", "", ""], "without_feet": ["0.1", "0.2", "", ""], "feet": ["0.5", "", "", ""],
+            "plates_on_legs": ["0.6", "", "", ""]})
 
 
 if __name__ == "__main__":
