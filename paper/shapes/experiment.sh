@@ -21,6 +21,7 @@ other_fits() {
   table "$results/calibration_0.667cm/details.csv" "$study/details_0.667cm.csv"
   menger calibrate voxel/studies/ecoflex_00_30_12mm.toml --output "$results/calibration_ecoflex"
   table "$results/calibration_ecoflex/details.csv" "$study/details_ecoflex.csv"
+  "$study/fit.py" values "$results/calibration_ecoflex/parameters.toml" "$study/fit_ecoflex.csv"
 }
 
 held_out() {
