@@ -1,8 +1,8 @@
 # At equal cost, which search finds the better robot: on voxels, on finite elements, or on both?
-# A seed is five searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
+# A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "seed_$seed" "2.5 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings"
+  part_on_request "seed_$seed" "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings"
 done
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"

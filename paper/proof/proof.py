@@ -36,21 +36,18 @@ from chart_of_walks import HEIGHT, INK, WIDTH, Panel, words  # noqa: E402
 from small_tables import InputError, read_table, read_toml, write_table, write_whole  # noqa: E402
 from statistics_of_walks import angle_deg, median, quantile  # noqa: E402
 
-ARMS = ("voxels", "elements", "both", "voxels_robust", "elements_45")  # seeds follow from their order: new ones come last
+ARMS = ("voxels", "elements", "both", "voxels_robust")  # seeds follow from their order: new ones come last
 NAMES = {"voxels": "voxels at one friction", "elements": "finite elements", "both": "elements, voxels screen",
-         "voxels_robust": "voxels in three frictions", "elements_45": "elements, 45 children"}
-SHORT_NAMES = {"voxels": "voxels", "elements": "elements", "both": "both", "voxels_robust": "voxels, 3",
-               "elements_45": "elements, 45"}
+         "voxels_robust": "voxels in three frictions"}
+SHORT_NAMES = {"voxels": "voxels", "elements": "elements", "both": "both", "voxels_robust": "voxels, 3"}
 STYLES = {"voxels": ("#D55E00", "triangle"), "elements": ("#0072B2", "circle"), "both": ("#009E73", "diamond"),
-          "voxels_robust": ("#CC79A7", "square"), "elements_45": ("#56B4E9", "cross")}
+          "voxels_robust": ("#CC79A7", "square")}
 JUDGES = ("fine", "elements", "two_layers", "dampings")  # studies that robots walk by after a search
 OF_VOXELS = ("voxels", "voxels_robust")  # arms whose scores are not those of finite elements
 ON_ELEMENTS = tuple(arm for arm in ARMS if arm not in OF_VOXELS)
-# Those that were planned before the searches, those that were added when robots of voxels turned out to fail at other frictions, and
-# those that were added because both.toml has three times as many children as elements.toml.
+# Those that were planned before the searches, and those that were added when robots of voxels turned out to fail at other frictions.
 COMPARISONS = ((("elements", "voxels"), ("both", "voxels"), ("both", "elements")),
-               (("elements", "voxels_robust"), ("both", "voxels_robust"), ("voxels_robust", "voxels")),
-               (("both", "elements_45"), ("elements_45", "elements"), ("elements_45", "voxels")))
+               (("elements", "voxels_robust"), ("both", "voxels_robust"), ("voxels_robust", "voxels")))
 CORES = 2  # of which size.toml speaks
 LEAST_SEARCHES = 5  # of an arm that is compared: fewer say nothing
 RESAMPLES = 10000

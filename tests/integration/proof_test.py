@@ -90,9 +90,6 @@ class Studies(unittest.TestCase):
         self.assertEqual(texts["both"]["robust"], elements["robust"])
         self.assertEqual(texts["voxels_robust"]["robust"]["frictions"], elements["robust"]["frictions"])
         self.assertEqual(texts["both"]["elements"], elements["elements"])
-        self.assertEqual(texts["elements_45"]["population"], texts["both"]["population"], "without voxels, it is the search of both")
-        more = elements | {"seed": texts["elements_45"]["seed"], "population": elements["population"] | {"mutants": 45}}
-        self.assertEqual(texts["elements_45"], more, "and it is that of elements with more children")
         friction = texts["voxels"]["ground"]["static_friction"]
         self.assertEqual(sorted(elements["robust"]["frictions"])[1], friction, "voxels have the middle friction")
         judge = tomllib.loads((EXPERIMENT / "fine.toml").read_text())
@@ -179,7 +176,7 @@ class Searches(unittest.TestCase):
         self.make("elements", 1, 0.07)
         taken = self.call("take", self.results, self.tables, "elements", 1)
         self.assertEqual(taken.returncode, 0, taken.stderr)
-        self.assertEqual(self.call("missing", self.tables, 1, EXPERIMENT / "size.toml").stdout.split(), ["voxels", "both", "voxels_robust", "elements_45"])
+        self.assertEqual(self.call("missing", self.tables, 1, EXPERIMENT / "size.toml").stdout.split(), ["voxels", "both", "voxels_robust"])
         self.assertEqual(self.call("missing", self.tables, 2, EXPERIMENT / "size.toml").stdout.split(), list(proof.ARMS))
         row, = table_of(self.tables / "outcomes.csv")
         self.assertEqual(row["best_body_lengths"], "0.07")
@@ -225,7 +222,7 @@ class Searches(unittest.TestCase):
     def test_tests_effects_and_picture(self):
         for seed in range(1, 6):
             for arm, best in (("voxels", 0.01 * seed), ("elements", 0.2 + 0.01 * seed), ("both", 0.15 + 0.02 * seed),
-                              ("voxels_robust", 0.1 + 0.01 * seed), ("elements_45", 0.3 + 0.01 * seed)):
+                              ("voxels_robust", 0.1 + 0.01 * seed)):
                 self.make(arm, seed, best)
                 self.assertEqual(self.call("take", self.results, self.tables, arm, seed).returncode, 0)
         summary = self.call("summary", self.tables)
@@ -234,7 +231,6 @@ class Searches(unittest.TestCase):
         self.assertAlmostEqual(float(rows["elements", "voxels"]["rank_sum_p"]), 2 / 252, 6)
         self.assertAlmostEqual(float(rows["elements", "voxels"]["holm_p"]), 3 * 2 / 252, 6)
         self.assertAlmostEqual(float(rows["elements", "voxels_robust"]["holm_p"]), 3 * 2 / 252, 6, "corrected apart from the planned ones")
-        self.assertAlmostEqual(float(rows["elements_45", "voxels"]["holm_p"]), 3 * 2 / 252, 6, "and so are these")
         self.assertEqual(float(rows["elements", "voxels"]["superiority"]), 1.0)
         self.assertEqual(rows["elements", "voxels"]["superiority_low"], "", "groups apart have no interval by resampling")
         self.assertNotEqual(rows["both", "elements"]["superiority_low"], "")
