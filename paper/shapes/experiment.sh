@@ -6,7 +6,7 @@ part aggregates "4 min of one core" "fourteen aggregates of 3 to 9 modules, like
 part stepped "2 min of one core" "eight bodies with long inner edges, likewise"
 part ecoflex "10 min of two cores" "the fifteen bodies of another silicone and size of cells"
 part without_elbows "6 min of one core" "a fit in which elbows keep their angle, and the errors of both sets of bodies with it"
-
+part_on_request extension_classes "4 min of one core" "a fit in which each wall class lengthens by a law of its own, and the errors of both sets of bodies with it"
 part_on_request curves "75 min of one core" "the curves that voxels are fitted to, which come with menger (voxel/curves)"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -53,19 +53,28 @@ ecoflex() {
   "$study/fit.py" medians "$results/held_out_ecoflex/errors.csv" "$results/held_out_ecoflex/expected_errors.csv" "$study/ecoflex_medians.csv"
 }
 
-# Validates the fit in which elbows keep their angle. @param study, name of the set of bodies
-validate_without_elbows() {
-  menger validate "$1" --parameters "$results/calibration_without_elbows/parameters.toml" \
-    --curves "$results/${2}_curves" --output "$results/${2}_without_elbows"
-  table "$results/${2}_without_elbows/summary.csv" "$study/${2}_without_elbows.csv"
+# Validates another fit. @param its name, study and name of the set of bodies
+validate_fit() {
+  menger validate "$2" --parameters "$results/calibration_$1/parameters.toml" --curves "$results/${3}_curves" --output "$results/${3}_$1"
+  table "$results/${3}_$1/summary.csv" "$study/${3}_$1.csv"
+}
+
+# A fit of other details. @param its name, what sed makes of the study
+another_fit() {
+  sed "s|^curves = .*|curves = [\"$PWD/voxel/curves/dragon_skin_10_1cm\"]|; $2" voxel/studies/dragon_skin_10_1cm.toml >"$results/$1.toml"
+  menger calibrate "$results/$1.toml" --output "$results/calibration_$1"
+  validate_fit "$1" voxel/studies/held_out.toml held_out
+  validate_fit "$1" voxel/studies/aggregates.toml aggregates
 }
 
 without_elbows() {
-  sed "s/, \"elbows\"//; s|^curves = .*|curves = [\"$PWD/voxel/curves/dragon_skin_10_1cm\"]|" voxel/studies/dragon_skin_10_1cm.toml >"$results/without_elbows.toml"
-  menger calibrate "$results/without_elbows.toml" --output "$results/calibration_without_elbows"
-  validate_without_elbows voxel/studies/held_out.toml held_out
-  validate_without_elbows voxel/studies/aggregates.toml aggregates
+  another_fit without_elbows 's/, "elbows"//'
   table "$results/held_out_without_elbows/expected_errors.csv" "$study/kinds_without_elbows.csv"
+}
+
+extension_classes() {
+  another_fit extension_classes 's/"fading", /"fading", "extension_classes", /'
+  table "$results/calibration_extension_classes/details.csv" "$study/details_extension_classes.csv"
 }
 
 # Computes curves that come with menger, and keeps them without the names of files of this machine. @param study, name of the set
