@@ -7,6 +7,7 @@ part stepped "2 min of one core" "eight bodies with long inner edges, likewise"
 part ecoflex "10 min of two cores" "the fifteen bodies of another silicone and size of cells"
 part without_elbows "6 min of one core" "a fit in which elbows keep their angle, and the errors of both sets of bodies with it"
 part_on_request extension_classes "4 min of one core" "a fit in which each wall class lengthens by a law of its own, and the errors of both sets of bodies with it"
+part_on_request with_aggregates "6 min of one core" "a fit that has seen five aggregates of 3 to 9 modules, and its errors on the other nine and on single bodies"
 part_on_request curves "75 min of one core" "the curves that voxels are fitted to, which come with menger (voxel/curves)"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -75,6 +76,21 @@ without_elbows() {
 extension_classes() {
   another_fit extension_classes 's/"fading", /"fading", "extension_classes", /'
   table "$results/calibration_extension_classes/details.csv" "$study/details_extension_classes.csv"
+}
+
+with_aggregates() {
+  local name fit fitted="$results/aggregates_fitted" unseen="$results/aggregates_unseen"
+  local -A parameters=([now]=voxel/parameters/dragon_skin_10_1cm.toml [with_aggregates]="$results/calibration_with_aggregates/parameters.toml")
+  mkdir -p "$fitted" "$unseen"
+  for name in bar bench cross cube u; do cp "$results/aggregates_curves/$name".{csv,toml} "$fitted"; done
+  for name in arch elbow l plane slab square t tall tripod; do cp "$results/aggregates_curves/$name".{csv,toml} "$unseen"; done
+  sed "s|^curves = .*|curves = [\"$PWD/voxel/curves/dragon_skin_10_1cm\", \"$PWD/$fitted\"]|" voxel/studies/dragon_skin_10_1cm.toml >"$results/with_aggregates.toml"
+  menger calibrate "$results/with_aggregates.toml" --output "$results/calibration_with_aggregates"
+  for fit in now with_aggregates; do
+    menger validate voxel/studies/aggregates.toml --parameters "${parameters[$fit]}" --curves "$unseen" --output "$results/unseen_$fit"
+    "$study/fit.py" medians "$results/unseen_$fit/errors.csv" "$results/unseen_$fit/expected_errors.csv" "$study/unseen_aggregates_$fit.csv"
+  done
+  validate_fit with_aggregates voxel/studies/held_out.toml held_out
 }
 
 # Computes curves that come with menger, and keeps them without the names of files of this machine. @param study, name of the set

@@ -38,13 +38,14 @@ PLATES_ON_LEGS = ("bench", "diagonal", "table", "tall_table", "three_legs")  # t
 
 
 def medians_of(errors, kinds):
-    """Rows of group, displacement, volume: median errors inside the range of validity, of the largest value in a curve. The row of all
-    bodies has in addition how many displacements go the wrong way, of how many that are large enough to have one."""
-    inside = [row for row in errors if row["validity"] == "inside"]
+    """Rows of group, displacement, volume: median errors inside the range of validity, of the largest value in a curve. The row
+    `outside_too` has those outside as well. The row of all bodies has in addition how many displacements go the wrong way, of how many that are large enough to have one."""
+    def is_inside(row):
+        return row["validity"] == "inside"
 
     def of(*conditions):
         for kind in ("displacement", "volume"):
-            found = [abs(float(row["error"])) for row in inside if row["kind"] == kind and row["error"] and all(holds(row) for holds in conditions)]
+            found = [abs(float(row["error"])) for row in errors if row["kind"] == kind and row["error"] and all(holds(row) for holds in conditions)]
             yield f"{statistics.median(found):.6g}" if found else ""
 
     def is_old(row):
@@ -53,11 +54,12 @@ def medians_of(errors, kinds):
     def is_foot(row):
         return row["observable"].startswith("foot")
 
-    yield ["all", *of(), *(sum(int(row[column]) for row in kinds) for column in ("wrong_signs", "signs"))]
+    yield ["all", *of(is_inside), *(sum(int(row[column]) for row in kinds) for column in ("wrong_signs", "signs"))]
     for group, conditions in (
             ("without_plates_on_legs", [is_old]), ("without_feet", [is_old, lambda row: not is_foot(row)]), ("feet", [is_foot]),
             ("plates_on_legs", [lambda row: not is_old(row)])):
-        yield [group, *of(*conditions), "", ""]
+        yield [group, *of(is_inside, *conditions), "", ""]
+    yield ["outside_too", *of(), "", ""]
 
 
 def main(arguments):

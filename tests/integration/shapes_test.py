@@ -81,7 +81,7 @@ class Fit(unittest.TestCase):
         self.assertEqual(self.table(), {
             "group": ["displacement", "volume", "wrong_signs", "signs"], "all": ["0.4", "0.2", "2", "12"],
             "without_plates_on_legs": ["0.2", "0.2", "", ""], "without_feet": ["0.1", "0.2", "", ""], "feet": ["0.5", "", "", ""],
-            "plates_on_legs": ["0.6", "", "", ""]})
+            "plates_on_legs": ["0.6", "", "", ""], "outside_too": ["0.5", "0.2", "", ""]})
 
 
 if __name__ == "__main__":
