@@ -78,18 +78,21 @@ extension_classes() {
   table "$results/calibration_extension_classes/details.csv" "$study/details_extension_classes.csv"
 }
 
+# Validates a fit on the aggregates that with_aggregates leaves out. @param its name, parameters
+validate_unseen() {
+  menger validate voxel/studies/aggregates.toml --parameters "$2" --curves "$results/aggregates_unseen" --output "$results/unseen_$1"
+  "$study/fit.py" medians "$results/unseen_$1/errors.csv" "$results/unseen_$1/expected_errors.csv" "$study/unseen_aggregates_$1.csv"
+}
+
 with_aggregates() {
-  local name fit fitted="$results/aggregates_fitted" unseen="$results/aggregates_unseen"
-  local -A parameters=([now]=voxel/parameters/dragon_skin_10_1cm.toml [with_aggregates]="$results/calibration_with_aggregates/parameters.toml")
+  local name fitted="$results/aggregates_fitted" unseen="$results/aggregates_unseen"
   mkdir -p "$fitted" "$unseen"
   for name in bar bench cross cube u; do cp "$results/aggregates_curves/$name".{csv,toml} "$fitted"; done
   for name in arch elbow l plane slab square t tall tripod; do cp "$results/aggregates_curves/$name".{csv,toml} "$unseen"; done
   sed "s|^curves = .*|curves = [\"$PWD/voxel/curves/dragon_skin_10_1cm\", \"$PWD/$fitted\"]|" voxel/studies/dragon_skin_10_1cm.toml >"$results/with_aggregates.toml"
   menger calibrate "$results/with_aggregates.toml" --output "$results/calibration_with_aggregates"
-  for fit in now with_aggregates; do
-    menger validate voxel/studies/aggregates.toml --parameters "${parameters[$fit]}" --curves "$unseen" --output "$results/unseen_$fit"
-    "$study/fit.py" medians "$results/unseen_$fit/errors.csv" "$results/unseen_$fit/expected_errors.csv" "$study/unseen_aggregates_$fit.csv"
-  done
+  validate_unseen now voxel/parameters/dragon_skin_10_1cm.toml
+  validate_unseen with_aggregates "$results/calibration_with_aggregates/parameters.toml"
   validate_fit with_aggregates voxel/studies/held_out.toml held_out
 }
 
