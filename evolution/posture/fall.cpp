@@ -77,7 +77,9 @@ std::vector<io::CollectionEntry> frames_at_ends(const fs::path& folder, double p
 }
 
 std::optional<Fall> first_fall(const fs::path& folder, const std::vector<io::CollectionEntry>& frames) {
-  const Posture posture(points_of(*read_frame_grid(folder / frames.front().file)));
+  const std::vector<Place> at_rest_m = points_of(*read_frame_grid(folder / frames.front().file));
+  if (at_rest_m.empty()) throw io::InputError((folder / frames.front().file).string() + ": has no points");
+  const Posture posture(at_rest_m);
   const Place first = posture.upright(folder / frames[1].file);
   for (std::size_t n = 2; n < frames.size(); ++n) {
     const Place now = posture.upright(folder / frames[n].file);

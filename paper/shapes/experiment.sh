@@ -86,6 +86,7 @@ validate_unseen() {
 
 with_aggregates() {
   local name fitted="$results/aggregates_fitted" unseen="$results/aggregates_unseen"
+  [ -e "$results/aggregates_curves/bar.csv" ] || aggregates
   mkdir -p "$fitted" "$unseen"
   for name in bar bench cross cube u; do cp "$results/aggregates_curves/$name".{csv,toml} "$fitted"; done
   for name in arch elbow l plane slab square t tall tripod; do cp "$results/aggregates_curves/$name".{csv,toml} "$unseen"; done

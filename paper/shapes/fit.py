@@ -39,7 +39,8 @@ PLATES_ON_LEGS = ("bench", "diagonal", "table", "tall_table", "three_legs")  # t
 
 def medians_of(errors, kinds):
     """Rows of group, displacement, volume: median errors inside the range of validity, of the largest value in a curve. The row
-    `outside_too` has those outside as well. The row of all bodies has in addition how many displacements go the wrong way, of how many that are large enough to have one."""
+    `outside_too` has those outside as well. The row `all` also counts the displacements that go the wrong way, and those that are
+    large enough to be counted."""
     def is_inside(row):
         return row["validity"] == "inside"
 
@@ -65,7 +66,10 @@ def medians_of(errors, kinds):
 def main(arguments):
     match arguments:
         case ["medians", errors, kinds, table]:
-            rows = medians_of(read_table(pathlib.Path(errors)), read_table(pathlib.Path(kinds)))
+            try:
+                rows = list(medians_of(read_table(pathlib.Path(errors)), read_table(pathlib.Path(kinds))))
+            except (KeyError, ValueError) as error:
+                raise InputError(f"{errors}, {kinds}: {error}: are these errors.csv and expected_errors.csv of menger validate?") from error
             write_table(pathlib.Path(table), ["group", "displacement", "volume", "wrong_signs", "signs"], rows)
         case ["values", parameters, table]:
             try:

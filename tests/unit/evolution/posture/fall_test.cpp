@@ -86,6 +86,9 @@ TEST_F(FallTest, RefusesDamagedFrames) {
   write({10.0, 70.0});
   io::write_whole(folder_ / "frame_8.vtu", "no grid");
   EXPECT_THROW(fall_in_walk(folder_, 1.0), io::InputError);
+  write({10.0, 70.0});
+  io::write_vtu(folder_ / "frame_0.vtu", *vtkSmartPointer<vtkUnstructuredGrid>::New());
+  EXPECT_THROW(fall_in_walk(folder_, 1.0), io::InputError) << "a body without points";
 }
 
 }  // namespace
