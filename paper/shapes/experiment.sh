@@ -30,7 +30,7 @@ held_out() {
   menger validate voxel/studies/held_out.toml --parameters voxel/parameters/dragon_skin_10_1cm.toml \
     --curves "$results/held_out_curves" --output "$results/held_out"
   table "$results/held_out/summary.csv" "$study/held_out.csv"
-  "$study/fit.py" medians "$results/held_out/errors.csv" "$results/held_out/expected_errors.csv" "$study/medians.csv"
+  "$study/fit.py" medians "$results/held_out" "$study/medians.csv"
 }
 
 aggregates() {
@@ -51,7 +51,7 @@ ecoflex() {
   menger load-cases fem/studies/load_cases/held_out_ecoflex_00_30_12mm.toml --output "$results/held_out_ecoflex_curves"
   menger validate voxel/studies/held_out_ecoflex_00_30_12mm.toml --parameters voxel/parameters/ecoflex_00_30_12mm.toml \
     --curves "$results/held_out_ecoflex_curves" --output "$results/held_out_ecoflex"
-  "$study/fit.py" medians "$results/held_out_ecoflex/errors.csv" "$results/held_out_ecoflex/expected_errors.csv" "$study/ecoflex_medians.csv"
+  "$study/fit.py" medians "$results/held_out_ecoflex" "$study/ecoflex_medians.csv"
 }
 
 # Validates another fit. @param its name, study and name of the set of bodies
@@ -81,7 +81,7 @@ extension_classes() {
 # Validates a fit on the aggregates that with_aggregates leaves out. @param its name, parameters
 validate_unseen() {
   menger validate voxel/studies/aggregates.toml --parameters "$2" --curves "$results/aggregates_unseen" --output "$results/unseen_$1"
-  "$study/fit.py" medians "$results/unseen_$1/errors.csv" "$results/unseen_$1/expected_errors.csv" "$study/unseen_aggregates_$1.csv"
+  "$study/fit.py" medians "$results/unseen_$1" "$study/unseen_aggregates_$1.csv"
 }
 
 with_aggregates() {

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """What texts say of a fit of voxels, as tables.
 
-fit.py values PARAMETERS.toml TABLE.csv       writes values of a fit, with their 95 % intervals where the fit has them
-fit.py medians ERRORS.csv KINDS.csv TABLE.csv writes median errors of groups of the bodies that menger validate compared, and how many
-                                              displacements go the wrong way: errors.csv and expected_errors.csv of its results
+fit.py values PARAMETERS.toml TABLE.csv   writes values of a fit, with their 95 % intervals where the fit has them
+fit.py medians RESULTS TABLE.csv          writes median errors of groups of the bodies that menger validate compared, and how many
+                                          displacements go the wrong way, from the folder of its results
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -65,11 +65,12 @@ def medians_of(errors, kinds):
 
 def main(arguments):
     match arguments:
-        case ["medians", errors, kinds, table]:
+        case ["medians", results, table]:
+            folder = pathlib.Path(results)
             try:
-                rows = list(medians_of(read_table(pathlib.Path(errors)), read_table(pathlib.Path(kinds))))
+                rows = list(medians_of(read_table(folder / "errors.csv"), read_table(folder / "expected_errors.csv")))
             except (KeyError, ValueError) as error:
-                raise InputError(f"{errors}, {kinds}: {error}: are these errors.csv and expected_errors.csv of menger validate?") from error
+                raise InputError(f"{folder}: {error}: are errors.csv and expected_errors.csv there those of menger validate?") from error
             write_table(pathlib.Path(table), ["group", "displacement", "volume", "wrong_signs", "signs"], rows)
         case ["values", parameters, table]:
             try:

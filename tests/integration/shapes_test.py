@@ -75,8 +75,8 @@ class Fit(unittest.TestCase):
                 ("table", "displacement", "extent_y_m", "", "inside")]
         with open(self.folder / "errors.csv", "w", newline="", encoding="utf-8") as text:
             csv.writer(text).writerows([("body", "kind", "observable", "error", "validity"), *rows])
-        (self.folder / "kinds.csv").write_text("kind,signs,wrong_signs\nlimbs,7,0\nflat_plate,5,2\n")
-        made = self.call("medians", self.folder / "errors.csv", self.folder / "kinds.csv", self.folder / "table.csv")
+        (self.folder / "expected_errors.csv").write_text("kind,signs,wrong_signs\nlimbs,7,0\nflat_plate,5,2\n")
+        made = self.call("medians", self.folder, self.folder / "table.csv")
         self.assertEqual(made.returncode, 0, made.stderr)
         self.assertEqual(self.table(), {
             "group": ["displacement", "volume", "wrong_signs", "signs"], "all": ["0.4", "0.2", "2", "12"],
