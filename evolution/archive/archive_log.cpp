@@ -25,6 +25,20 @@ fs::path real_file(const fs::path& file) {
 }
 
 fs::path log_of(const fs::path& file) { return real_file(file) += "-wal"; }
+fs::path journal_of(const fs::path& file) { return real_file(file) += "-journal"; }
+
+std::uintmax_t size_or_zero(const fs::path& file) {
+  std::error_code missing;
+  const std::uintmax_t bytes = fs::file_size(file, missing);
+  return missing ? 0 : bytes;
+}
+
+[[noreturn]] void refuse_without_permission(const fs::path& file, const fs::path& beside) {
+  refuse_archive(file,
+                 "was not closed by the process that wrote it, and cannot be read in a folder without permission to write: "
+                 "copy it and " +
+                     beside.string() + " to another folder");
+}
 
 /// Whether the header of a database says that it has a log.
 bool is_marked_with_log(const fs::path& file) {
@@ -68,16 +82,22 @@ SQLite::Database open_with_log(const fs::path& file) {
     return connection;
   } catch (const SQLite::Exception& error) {
     if (!needs_files(error)) throw;
-    std::error_code missing;
-    const std::uintmax_t log_bytes = fs::file_size(log_of(file), missing);
-    if (!missing && log_bytes > 0) {
-      refuse_archive(file,
-                     "was not closed by the process that wrote it, and cannot be read in a folder without permission to write: "
-                     "copy it and " +
-                         log_of(file).string() + " to another folder");
-    }
+    if (size_or_zero(log_of(file)) > 0) refuse_without_permission(file, log_of(file));
   }
   return open_as_it_lies(file);
+}
+
+/// Takes back the change to the file itself that a killed process left half done. SQLite does this from the journal beside it, on
+/// the first read of a connection that may write. The journal of a process that lives is left alone.
+void take_back_half_a_change(const fs::path& file) {
+  if (size_or_zero(journal_of(file)) == 0) return;
+  try {
+    SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READWRITE, patience_ms);
+    static_cast<void>(is_empty_database(connection));
+  } catch (const SQLite::Exception& error) {
+    if (!needs_files(error)) throw;
+    refuse_without_permission(file, journal_of(file));
+  }
 }
 
 }  // namespace
@@ -113,6 +133,7 @@ void require_log(const fs::path& file) {
 }
 
 SQLite::Database open_for_reading(const fs::path& file) {
+  take_back_half_a_change(file);
   require_log(file);
   if (is_marked_with_log(file)) return open_with_log(file);
   SQLite::Database connection(fs::absolute(file).string(), SQLite::OPEN_READONLY, patience_ms);

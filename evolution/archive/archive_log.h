@@ -28,8 +28,9 @@ void require_log(const std::filesystem::path& file);
 ///
 /// An archive that is written keeps the state of the first read for this reader, by its log. One that is closed is copied into
 /// memory; only one of more than a gigabyte is read from the disk. An archive in a place where no file can be made is read as it
-/// lies there, if it has no log.
-/// @throws io::InputError if it has a log that cannot be read there @throws SQLite::Exception
+/// lies there, if it has no log. A change to the file itself that a killed process left half done is taken back first, from
+/// `<archive>-journal`.
+/// @throws io::InputError if it has a log or a journal that cannot be read there @throws SQLite::Exception
 SQLite::Database open_for_reading(const std::filesystem::path& file);
 
 /// Whether results can be added to an archive: whether this process may write to the file and its folder.

@@ -1,6 +1,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sqlite3.h>
 #include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -409,6 +410,23 @@ TEST_F(Archive, OfAKilledProcessIsRefusedWithoutItsLog) {
   EXPECT_EQ(open().last_generation(), 0) << "both files together are the archive";
 }
 
+/// Copies an archive as a kill in the middle of a change to the file itself leaves it: with the journal that takes it back.
+void copy_with_half_a_change(const fs::path& from, const fs::path& to) {
+  SQLite::Database connection(from.string(), SQLite::OPEN_READWRITE);
+  connection.exec("BEGIN; DELETE FROM evaluation; DROP TABLE generation");
+  ASSERT_EQ(sqlite3_db_cacheflush(connection.getHandle()), SQLITE_OK);  // writes the change before it is committed
+  for (const char* end : {"", "-journal"}) fs::copy_file(from.string() + end, to.string() + end);
+}
+
+TEST_F(Archive, OfAProcessKilledInTheMiddleOfAChangeIsReadAsItWasBefore) {
+  fill();
+  const fs::path copy = folder_ / "copy.sqlite";
+  copy_with_half_a_change(file_, copy);
+  ASSERT_NE(io::read_whole(copy), io::read_whole(file_));
+  EXPECT_TRUE(RunArchive::open_to_read(copy).evaluation({"design 7", 1, "physics"}));
+  EXPECT_FALSE(fs::exists(copy.string() + "-journal"));
+}
+
 TEST_F(Archive, IsNotBegunOverADatabaseWhoseTablesAreInAMissingLog) {
   {
     SQLite::Database half(file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -523,6 +541,14 @@ TEST_F(ArchiveOnReadOnlyMedium, WithItsLogIsRefusedWithWhatToDo) {
   const auto wrong = reading_without_writing(medium_);
   if (!wrong) GTEST_SKIP() << "no mount namespaces here";
   EXPECT_NE(wrong->find("copy it and " + medium_.string() + "-wal to another folder"), std::string::npos) << *wrong;
+}
+
+TEST_F(ArchiveOnReadOnlyMedium, WithHalfAChangeIsRefusedWithWhatToDo) {
+  fill();
+  copy_with_half_a_change(file_, medium_);
+  const auto wrong = reading_without_writing(medium_);
+  if (!wrong) GTEST_SKIP() << "no mount namespaces here";
+  EXPECT_NE(wrong->find("copy it and " + medium_.string() + "-journal to another folder"), std::string::npos) << *wrong;
 }
 
 TEST_F(Archive, RefusesPlacesWhereNoFileCanBe) {
