@@ -21,10 +21,10 @@ HollowVoxels voxels_of(const SurrogateParameters& parameters, const meshes::Load
 }
 
 /// Motion of the middle of an end face relative to the centre of its voxel, m/Pa.
-double face_slope(const SurrogateParameters& parameters, std::size_t wall_class, std::size_t bulge_class, double pressure_Pa) {
+double face_slope(const SurrogateParameters& parameters, std::size_t size_class, std::size_t bulge_class, double pressure_Pa) {
   const double edge_m = parameters.voxel_edge_m();
-  return 0.5 * edge_m * parameters.extension[wall_class].derivative(pressure_Pa) +
-         edge_m * parameters.bulge_peak_ratio[bulge_class] * parameters.bulge[bulge_class].derivative(pressure_Pa);
+  return 0.5 * edge_m * parameters.extension_of(size_class).derivative(pressure_Pa) +
+         edge_m * parameters.bulge_peak_ratio_of(bulge_class) * parameters.bulge_of(bulge_class).derivative(pressure_Pa);
 }
 
 double magnitude_in(const io::CsvContents& table, std::size_t row, const std::string& column) {
@@ -57,7 +57,7 @@ std::vector<std::optional<double>> harmonic_gains(const SurrogateParameters& par
     for (const std::size_t voxel : ends) {
       const auto first = equilibrium.balance().first_unknown(voxel);
       const auto along = static_cast<std::size_t>(axis);
-      gain += (first ? amplitude[*first + axis] : 0.0) + face_slope(parameters, statics.voxels.wall_class[voxel][along],
+      gain += (first ? amplitude[*first + axis] : 0.0) + face_slope(parameters, statics.voxels.size_class[voxel][along],
                                                                     statics.voxels.bulge_class[voxel][along], pressure_Pa);
     }
     gains[n] = std::abs(gain) / static_cast<double>(ends.size());

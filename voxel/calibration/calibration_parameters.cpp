@@ -101,6 +101,7 @@ const io::Words<CalibrationDetail>& detail_words() {
                                                   {"joints", CalibrationDetail::joints},
                                                   {"lateral", CalibrationDetail::lateral},
                                                   {"elbows", CalibrationDetail::elbows},
+                                                  {"plates", CalibrationDetail::plates},
                                                   {"necks", CalibrationDetail::necks}};
   return words;
 }
@@ -153,6 +154,13 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
   }
   if (has(CalibrationDetail::lateral)) list.add(Quantity::lateral_coupling);
   if (has(CalibrationDetail::elbows)) list.add(Quantity::elbow_ratio);
+  if (has(CalibrationDetail::plates)) {
+    list.add(Quantity::plate_stretch_ratio);
+    list.add(Quantity::plate_draw_in);
+    list.add(Quantity::plate_rise);
+    list.add(Quantity::plate_draw_in_per_Pa);
+    list.add(Quantity::plate_edge_share);
+  }
   if (has(CalibrationDetail::necks)) list.add(Quantity::bulge_neck_ratio);
   return list.take();
 }
@@ -190,6 +198,13 @@ SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDe
       break;
     case CalibrationDetail::elbows:
       p.elbow_ratio = rough_elbow_ratio;
+      break;
+    case CalibrationDetail::plates:  // of silicone chambers whose walls are a fifth of a cell
+      p.plate_stretch_ratio = 2.0;
+      p.plate_draw_in = 0.1;
+      p.plate_rise = 0.03;
+      p.plate_draw_in_per_Pa = 10.0 / std::max(highest_pressure_Pa, 1.0);
+      p.plate_edge_share = 0.3;
       break;
     default:
       break;

@@ -51,6 +51,16 @@ double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_cla
       return p.neck_ratio;
     case Quantity::elbow_ratio:
       return p.elbow_ratio;
+    case Quantity::plate_stretch_ratio:
+      return p.plate_stretch_ratio;
+    case Quantity::plate_draw_in:
+      return p.plate_draw_in;
+    case Quantity::plate_rise:
+      return p.plate_rise;
+    case Quantity::plate_draw_in_per_Pa:
+      return p.plate_draw_in_per_Pa;
+    case Quantity::plate_edge_share:
+      return p.plate_edge_share;
     case Quantity::lateral_coupling:
       break;
   }
@@ -88,7 +98,12 @@ const io::Words<Quantity>& quantity_words() {
                                          {"joint_torsion", Quantity::joint_torsion},
                                          {"lateral_coupling", Quantity::lateral_coupling},
                                          {"bulge_neck_ratio", Quantity::bulge_neck_ratio},
-                                         {"elbow_ratio", Quantity::elbow_ratio}};
+                                         {"elbow_ratio", Quantity::elbow_ratio},
+                                         {"plate_stretch_ratio", Quantity::plate_stretch_ratio},
+                                         {"plate_draw_in", Quantity::plate_draw_in},
+                                         {"plate_rise", Quantity::plate_rise},
+                                         {"plate_draw_in_per_Pa", Quantity::plate_draw_in_per_Pa},
+                                         {"plate_edge_share", Quantity::plate_edge_share}};
   return words;
 }
 std::string_view to_string(Quantity quantity) {
@@ -113,6 +128,8 @@ bool is_positive(Quantity quantity) {
     case Quantity::joint_axial:
     case Quantity::joint_bending:
     case Quantity::joint_torsion:
+    case Quantity::plate_stretch_ratio:
+    case Quantity::plate_draw_in_per_Pa:
       return true;
     default:
       return false;
@@ -121,9 +138,10 @@ bool is_positive(Quantity quantity) {
 
 io::Range allowed_range(Quantity quantity) {
   if (quantity == Quantity::bulge_peak_ratio) return io::at_least(1.0);
-  if (quantity == Quantity::bulge_fading_share) return io::within(0.0, 1.0);
-  if (quantity == Quantity::elbow_ratio) return io::non_negative();
-  if (quantity == Quantity::lateral_coupling) return {.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
+  if (quantity == Quantity::bulge_fading_share || quantity == Quantity::plate_edge_share) return io::within(0.0, 1.0);
+  if (quantity == Quantity::elbow_ratio || quantity == Quantity::plate_rise) return io::non_negative();
+  if (quantity == Quantity::lateral_coupling || quantity == Quantity::plate_draw_in)
+    return {.lowest = 0.0, .highest = 1.0, .highest_excluded = true};
   return is_positive(quantity) ? io::positive() : io::any_number();
 }
 
@@ -165,6 +183,8 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
   constexpr double largest_coupling = 0.95;
   constexpr double neck_factor = 10.0;
   constexpr double largest_elbow_ratio = 20.0;
+  constexpr double largest_draw_in = 0.5;
+  constexpr double largest_rise = 0.5;
   const auto about = [](double value, double factor) { return ValueRange{value / factor, value * factor}; };
   const auto up_to = [](double value) { return ValueRange{-std::abs(value), std::abs(value)}; };
   // Without pressures of one sign its softening has no influence, but it still needs a bound.
@@ -203,7 +223,12 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
           {Quantity::joint_torsion, about(1.0, joint_factor)},
           {Quantity::lateral_coupling, {0.0, largest_coupling}},
           {Quantity::bulge_neck_ratio, about(1.0, neck_factor)},
-          {Quantity::elbow_ratio, {0.0, largest_elbow_ratio}}};
+          {Quantity::elbow_ratio, {0.0, largest_elbow_ratio}},
+          {Quantity::plate_stretch_ratio, about(1.0, ratio_factor)},
+          {Quantity::plate_draw_in, {0.0, largest_draw_in}},
+          {Quantity::plate_rise, {0.0, largest_rise}},
+          {Quantity::plate_draw_in_per_Pa, about(1.0 / pressure_Pa, fading_factor)},
+          {Quantity::plate_edge_share, {0.0, 1.0}}};
 }
 
 }  // namespace menger::voxel

@@ -36,7 +36,12 @@ enum class Quantity {
   joint_torsion,
   lateral_coupling,
   bulge_neck_ratio,
-  elbow_ratio
+  elbow_ratio,
+  plate_stretch_ratio,
+  plate_draw_in,
+  plate_rise,
+  plate_draw_in_per_Pa,
+  plate_edge_share
 };
 /// The names used in files, with the unit: "axial_Pa", "extension_slope_per_Pa", "joint_axial".
 const io::Words<Quantity>& quantity_words();
@@ -85,8 +90,8 @@ double value_in(const SurrogateParameters& parameters, Quantity quantity, std::s
 /// - Slopes of the extension with pressure: up to ten times the steepest of all wall classes, of either sign.
 /// - Softening: 1 - q |p| stays positive at all pressures of the load cases, so that a PressureLaw has no pole there.
 ///   Stiffening (q < 0) is bounded too: q |p| >= -5.
-/// - Fading: a factor of 100 about 1 / pressure. Share of fading, peak ratio, neck ratio, elbow ratio and lateral coupling: fixed
-///   intervals.
+/// - Fading and draw-in: a factor of 100 about 1 / pressure. Stretch of plates: as ratios of stiffnesses. Share of fading and of
+///   edges of plates, draw-in, peak ratio, neck ratio, elbow ratio and lateral coupling: fixed intervals.
 ///
 /// @param rough parameters that are known roughly
 /// @param lowest_pressure_Pa, highest_pressure_Pa the range of pressures in the load cases

@@ -156,7 +156,7 @@ void RobotBatch<Real>::add_calibrated(const MovingBody<Real>& robot, const FootC
   for (const auto& phase : tables.phases) phases.insert(phases.end(), phase.begin(), phase.end());
   c.walls = append(walls, tables.walls);
   c.responses = responses_size;
-  responses_size += wall_class_count * tables.phases.size();
+  responses_size += law_class_count * tables.phases.size();
   c.ranges = ranges_size;
   ranges_size += std::size_t{2} * most_blocks * most_block_threads;
   const auto index_of = [](std::size_t number) { return static_cast<std::int32_t>(number); };

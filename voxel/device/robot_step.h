@@ -319,10 +319,10 @@ class RobotStepper {
   /// Evaluates the laws of the walls for a moment of the drive.
   MENGER_HOST_DEVICE void set_responses(const DriveMoment& drive) const {
     const CalibratedData& c = robot_.calibrated;
-    for (std::size_t r = thread_.index(); r < wall_class_count * c.phases; r += thread_.count()) {
-      const double* phase = arrays_.phases + c.phase_table + 2 * (r / wall_class_count);
+    for (std::size_t r = thread_.index(); r < law_class_count * c.phases; r += thread_.count()) {
+      const double* phase = arrays_.phases + c.phase_table + 2 * (r / law_class_count);
       arrays_.responses[c.responses + r] =
-          wall_response(c.edge_m, arrays_.walls[c.walls + r % wall_class_count], c.wave.value(drive, phase[0], phase[1]),
+          wall_response(c.edge_m, arrays_.walls[c.walls + r % law_class_count], c.wave.value(drive, phase[0], phase[1]),
                         c.wave.rate(drive, phase[0], phase[1]));
     }
   }

@@ -17,8 +17,9 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
                                    const Actuation& actuation, const std::vector<double>& phases)
     : parameters_(calibrated.parameters), actuation_(actuation) {
   tables_.edge_m = parameters_.voxel_edge_m();
-  for (std::size_t c = 0; c < wall_class_count; ++c)
-    tables_.walls[c] = {parameters_.extension[c], parameters_.bulge[c], parameters_.bulge_peak_ratio[c]};
+  for (std::size_t c = 0; c < law_class_count; ++c) {
+    tables_.walls[c] = {parameters_.extension_of(c), parameters_.bulge_of(c), parameters_.bulge_peak_ratio_of(c)};
+  }
   if (actuation.mode != ActuationMode::none) {
     tables_.wave = {.mean_Pa = 0.5 * (calibrated.pressure_Pa[0] + calibrated.pressure_Pa[1]),
                     .amplitude_Pa = 0.5 * (calibrated.pressure_Pa[1] - calibrated.pressure_Pa[0])};
@@ -31,23 +32,23 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     if (is_new) tables_.phases.push_back({std::cos(angle), std::sin(angle)});
     phase_of_[i] = entry->second;
   }
-  responses_.resize(wall_class_count * tables_.phases.size());
+  responses_.resize(law_class_count * tables_.phases.size());
   const auto response = [&](std::int32_t voxel, std::size_t axis) {
     const auto v = static_cast<std::size_t>(voxel);
-    return wall_class_count * phase_of_[v] + voxels.wall_class[v][axis];
+    return law_class_count * phase_of_[v] + voxels.size_class[v][axis];
   };
   const auto bulge_response = [&](std::size_t voxel, std::size_t axis) {
-    return wall_class_count * phase_of_[voxel] + voxels.bulge_class[voxel][axis];
+    return law_class_count * phase_of_[voxel] + voxels.bulge_class[voxel][axis];
   };
   openings_ = wall_openings(lattice, voxels, parameters_.voxels_per_cell);
   const auto add_necks = [&](std::size_t axis, std::size_t beam, std::int32_t voxel, std::size_t side) {
     const auto v = static_cast<std::size_t>(voxel);
     const WallOpening& opening = openings_[v][side];
-    for (std::size_t c = 0; c < wall_class_count && opening.lifts; ++c) {
+    for (std::size_t c = 0; c < law_class_count && opening.lifts; ++c) {
       if (opening.lift[c] == 0.0) continue;
       tables_.necks_and_elbows[axis].push_back(
           {.beam = beam,
-           .bulge = wall_class_count * phase_of_[v] + c,
+           .bulge = law_class_count * phase_of_[v] + c,
            .lift = parameters_.neck_ratio * opening.lift[c],
            .turn = {parameters_.neck_ratio * opening.turn[0][c], parameters_.neck_ratio * opening.turn[1][c]},
            .elbow = {0.0, 0.0}});
@@ -84,17 +85,33 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     std::array<bool, 6>& bulging = bulging_.emplace_back();
     for (std::size_t side = 0; side < bulging.size(); ++side) bulging[side] = has_free_wall(lattice, voxels, i, side);
   }
+  note_responses_in_use();
+}
+
+template <class Real>
+void PressureDrive<Real>::note_responses_in_use() {
+  std::set<std::size_t> in_use = tables_.lengths_in_use;
+  in_use.insert(tables_.bulges_in_use.begin(), tables_.bulges_in_use.end());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const auto& of_halves : tables_.beam_responses[axis]) in_use.insert(of_halves.begin(), of_halves.end());
+    for (const NeckOrElbow& entry : tables_.necks_and_elbows[axis]) in_use.insert(entry.bulge);
+  }
+  for (std::size_t i = 0; i < openings_.size(); ++i) {
+    for (const WallOpening& opening : openings_[i]) {
+      for (std::size_t c = 0; c < law_class_count; ++c)
+        if (opening.lift[c] != 0.0) in_use.insert(law_class_count * phase_of_[i] + c);
+    }
+  }
+  responses_in_use_.assign(in_use.begin(), in_use.end());
 }
 
 template <class Real>
 void PressureDrive<Real>::set(double time_s, const StepData<Real>& d) {
   const DriveMoment moment = drive_moment(actuation_, time_s);
-  for (std::size_t k = 0; k < tables_.phases.size(); ++k) {
-    const auto [cosine, sine] = tables_.phases[k];
-    const double pressure = tables_.wave.value(moment, cosine, sine);
-    const double rate = tables_.wave.rate(moment, cosine, sine);
-    for (std::size_t c = 0; c < wall_class_count; ++c)
-      responses_[wall_class_count * k + c] = wall_response(tables_.edge_m, tables_.walls[c], pressure, rate);
+  for (const std::size_t r : responses_in_use_) {
+    const auto [cosine, sine] = tables_.phases[r / law_class_count];
+    responses_[r] = wall_response(tables_.edge_m, tables_.walls[r % law_class_count], tables_.wave.value(moment, cosine, sine),
+                                  tables_.wave.rate(moment, cosine, sine));
   }
   largest_half_length_m_ = largest_foot_bulge_m_ = 0.0;
   for (const std::size_t length : tables_.lengths_in_use)
@@ -145,8 +162,8 @@ void PressureDrive<Real>::set_kinks(std::size_t axis, const BeamAxisData<Real>& 
 template <class Real>
 double PressureDrive<Real>::lift_m(std::size_t voxel, std::size_t side) const {
   double sum = 0.0;
-  for (std::size_t c = 0; c < wall_class_count; ++c)
-    sum += openings_[voxel][side].lift[c] * responses_[wall_class_count * phase_of_[voxel] + c].bulge_peak_m;
+  for (std::size_t c = 0; c < law_class_count; ++c)
+    sum += openings_[voxel][side].lift[c] * responses_[law_class_count * phase_of_[voxel] + c].bulge_peak_m;
   return parameters_.neck_ratio * sum;
 }
 
@@ -180,8 +197,8 @@ void PressureDrive<Real>::note_strains(const StepData<Real>& d) {
 double largest_collision_size_m(const HollowVoxels& voxels, const CalibratedBody& calibrated) {
   double largest = calibrated.parameters.voxel_edge_m();
   for (const double pressure : calibrated.pressure_Pa) {
-    for (const auto& wall_class : voxels.wall_class)
-      largest = std::max(largest, 2.0 * half_length_m(calibrated.parameters, wall_class[2], pressure));
+    for (const auto& size_class : voxels.size_class)
+      largest = std::max(largest, 2.0 * half_length_m(calibrated.parameters, size_class[2], pressure));
   }
   return largest;
 }

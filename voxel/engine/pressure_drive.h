@@ -21,7 +21,7 @@ namespace menger::voxel {
 /// The size of a voxel is the one with which it meets other voxels. It is L (1 + extension) with the laws along z. It does not
 /// include the bulge: with it, voxels that are joined across a corner would touch.
 ///
-/// The laws are evaluated once per step for every phase and wall class, not for every beam.
+/// The laws are evaluated once per step for every phase and size class that the body has, not for every beam.
 template <class Real>
 class PressureDrive {
  public:
@@ -62,15 +62,15 @@ class PressureDrive {
 
   [[nodiscard]] const StrainRange& strains() const { return strains_; }
 
-  /// What decides rest lengths and sizes, for code that computes them by itself. Responses are numbered by phase, then wall
+  /// What decides rest lengths and sizes, for code that computes them by itself. Responses are numbered by phase, then size
   /// class.
   struct Tables {
     double edge_m = 0.0;
     PressureWave wave;
-    std::array<WallLaws, wall_class_count> walls;
+    ByLawClass<WallLaws> walls;
     std::vector<std::array<double, 2>> phases;  ///< cos and sin of 2 pi phase, of the phases that occur
     std::array<std::vector<std::array<std::size_t, 2>>, 3> beam_responses;  ///< per axis and beam, of its two halves
-    std::vector<std::array<std::size_t, 3>> voxel_responses;                ///< per voxel, of its wall classes along x, y, z
+    std::vector<std::array<std::size_t, 3>> voxel_responses;                ///< per voxel, of its size classes along x, y, z
     std::vector<std::array<std::size_t, 3>> bulge_responses;                ///< the same for its bulge classes
     std::array<std::vector<NeckOrElbow>, 3> necks_and_elbows;               ///< per axis, those of a beam one after the other
     std::set<std::size_t> lengths_in_use, bulges_in_use;
@@ -78,6 +78,7 @@ class PressureDrive {
   [[nodiscard]] const Tables& tables() const { return tables_; }
 
  private:
+  void note_responses_in_use();
   [[nodiscard]] double lift_m(std::size_t voxel, std::size_t side) const;
   void set_kinks(std::size_t axis, const BeamAxisData<Real>& beams) const;
 
@@ -85,6 +86,7 @@ class PressureDrive {
   Tables tables_;
   Actuation actuation_;
   std::vector<WallResponse> responses_;               ///< values of the laws
+  std::vector<std::size_t> responses_in_use_;         ///< the others are not evaluated
   std::vector<std::array<WallOpening, 6>> openings_;  ///< per voxel and side
   std::vector<std::size_t> phase_of_;                 ///< per voxel: index in tables_.phases
   std::vector<double> lengths_m_, rates_m_s_;         ///< of the beams of an axis, while they are set

@@ -11,15 +11,15 @@
 
 namespace menger::voxel {
 
-/// Returns the length (m) of the half beam of a voxel with a wall class along it: (L / 2)(1 + extension(p)).
-inline double half_length_m(const SurrogateParameters& parameters, std::size_t wall_class, double pressure_Pa) {
-  return half_length_m(parameters.voxel_edge_m(), parameters.extension[wall_class], pressure_Pa);
+/// Returns the length (m) of the half beam of a voxel with a size class along it: (L / 2)(1 + extension(p)).
+inline double half_length_m(const SurrogateParameters& parameters, std::size_t size_class, double pressure_Pa) {
+  return half_length_m(parameters.voxel_edge_m(), parameters.extension_of(size_class), pressure_Pa);
 }
 
 /// Returns the rate (m/s) of half_length_m at a rate of the pressure (Pa/s).
-inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::size_t wall_class, double pressure_Pa,
+inline double half_length_rate_m_s(const SurrogateParameters& parameters, std::size_t size_class, double pressure_Pa,
                                    double pressure_rate_Pa_s) {
-  return half_length_rate_m_s(parameters.voxel_edge_m(), parameters.extension[wall_class], pressure_Pa, pressure_rate_Pa_s);
+  return half_length_rate_m_s(parameters.voxel_edge_m(), parameters.extension_of(size_class), pressure_Pa, pressure_rate_Pa_s);
 }
 
 /// Makes a body thinner where it is stretched (lateral coupling): a stretched beam adds tension to the beams across it.

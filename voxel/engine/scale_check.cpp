@@ -178,6 +178,11 @@ std::string unusable_growth(const CalibratedBody& body) {
       }
       if (!problem.empty()) return problem;
     }
+    const PressureLaw in_plate = parameters.extension_of(inside_plate);
+    if (!in_plate.has_value(pressure)) continue;
+    std::string problem =
+        absurd_growth("extension.plate_stretch_ratio", parameters.plate_stretch_ratio, in_plate.value(pressure), pressure);
+    if (!problem.empty()) return problem;
   }
   return "";
 }

@@ -23,13 +23,13 @@ int root_of(int cells, int level) {
   return power == cells ? root : 0;
 }
 
-/// Returns which wall classes the voxels of a body have, of their half beams or of their bulges.
-ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
-  ByWallClass<bool> classes{};
+/// Returns which classes the voxels of a body have, of their half beams or of their bulges.
+ByLawClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
+  ByLawClass<bool> classes{};
   CalibratedBody module = calibrated;  // all modules have the same walls
   module.level = 1;
   const HollowVoxels voxels = calibrated_voxels(basal_body, module);
-  for (const auto* lists : {&voxels.wall_class, &voxels.bulge_class}) {
+  for (const auto* lists : {&voxels.size_class, &voxels.wall_class, &voxels.bulge_class}) {
     for (const auto& of_voxel : *lists) {
       for (const std::uint8_t c : of_voxel) classes[c] = true;
     }
@@ -37,17 +37,16 @@ ByWallClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Pol
   return classes;
 }
 
-/// Returns why walls of a class have no size somewhere in the drive, or an empty text.
+/// Returns why voxels of a size class have no size somewhere in the drive, or an empty text.
 std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
   const SurrogateParameters& parameters = calibrated.parameters;
-  const auto text = [c](const char* what, double pressure) { return wall_class_text(c) + what + io::number_text(pressure); };
+  const auto text = [c](const char* what, double pressure) { return law_class_text(c) + what + io::number_text(pressure); };
   // Both ends are enough: zero pressure, from which the drive may be ramped, has a value in every law.
   for (const double pressure : calibrated.pressure_Pa) {
-    for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
-      if (!law.has_value(pressure)) return text(" have no equilibrium at pressure_Pa = ", pressure);
-    }
-    if (!(1.0 + parameters.extension[c].value(pressure) > 0.0))
-      return text(" have no positive rest length at pressure_Pa = ", pressure);
+    const PressureLaw extension = parameters.extension_of(c);
+    if (!extension.has_value(pressure) || !parameters.bulge_of(c).has_value(pressure))
+      return text(" have no equilibrium at pressure_Pa = ", pressure);
+    if (!(1.0 + extension.value(pressure) > 0.0)) return text(" have no positive rest length at pressure_Pa = ", pressure);
   }
   return "";
 }
@@ -120,12 +119,12 @@ std::string unusable_parameters(const CalibratedBody& calibrated, double cell_ed
   }
   if (basal_body != nullptr) return sizeless_walls(calibrated, *basal_body);
   const std::vector<std::string> faults = sizeless_walls(calibrated);
-  return faults.size() == wall_class_count ? faults.front() + ", and the same holds for all other classes" : "";
+  return faults.size() == law_class_count ? faults.front() + ", and the same holds for all other classes" : "";
 }
 
 std::string sizeless_walls(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
-  const ByWallClass<bool> classes = classes_of(calibrated, basal_body);
-  for (std::size_t c = 0; c < wall_class_count; ++c) {
+  const ByLawClass<bool> classes = classes_of(calibrated, basal_body);
+  for (std::size_t c = 0; c < law_class_count; ++c) {
     if (!classes[c]) continue;
     if (std::string fault = sizeless_class(calibrated, c); !fault.empty()) return fault;
   }
@@ -134,7 +133,7 @@ std::string sizeless_walls(const CalibratedBody& calibrated, const meshes::Polyc
 
 std::vector<std::string> sizeless_walls(const CalibratedBody& calibrated) {
   std::vector<std::string> faults;
-  for (std::size_t c = 0; c < wall_class_count; ++c) {
+  for (std::size_t c = 0; c < law_class_count; ++c) {
     if (std::string fault = sizeless_class(calibrated, c); !fault.empty()) faults.push_back(std::move(fault));
   }
   return faults;

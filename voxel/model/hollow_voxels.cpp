@@ -144,6 +144,41 @@ AxisClasses classes_along(std::size_t axis, const CellIndex& voxel, const std::a
   return {.wall = adjacent ? plate : by_count.at(count), .bulge = plate};
 }
 
+/// Returns the size class of a voxel along an axis, see inside_plate and plate_edge.
+/// @param is_open whether another voxel of the grid belongs to the same chamber
+/// @param lies_between whether another voxel of the same chamber has walls on both sides along an axis
+template <class IsOpen, class LiesBetween>
+std::uint8_t size_class_along(std::size_t axis, std::uint8_t wall_class, const CellIndex& voxel,
+                              const std::array<bool, 6>& walled, const IsOpen& is_open, const LiesBetween& lies_between) {
+  if (wall_class != walls::limb && wall_class != walls::three) return wall_class;
+  const bool first_is_normal = walled[2 * ((axis + 1) % 3)] && walled[2 * ((axis + 1) % 3) + 1];
+  const std::size_t normal = (axis + (first_is_normal ? 1 : 2)) % 3;
+  const std::size_t across = 3 - axis - normal;
+  const auto beside = [&](std::size_t side) { return meshes::neighbour(voxel, meshes::all_sides.at(side)); };
+  const auto has_square = [&](std::size_t side) {
+    for (const std::size_t along : {2 * axis, 2 * axis + 1}) {
+      if (!walled[along] && is_open(meshes::neighbour(beside(side), meshes::all_sides.at(along)))) return true;
+    }
+    return false;
+  };
+  bool is_supported = true;  // by limbs that leave the plate on both sides
+  for (const std::size_t side : {2 * across, 2 * across + 1}) {
+    if (walled[side]) continue;
+    if (!has_square(side)) return wall_class;
+    is_supported = is_supported && !lies_between(beside(side), normal);
+  }
+  if (is_supported) return wall_class;
+  return wall_class == walls::limb ? inside_plate : plate_edge;
+}
+
+/// Returns the law class of the faces of a voxel from its bulge class and the size classes along the two axes of its faces.
+std::uint8_t face_class(std::uint8_t bulge_class, std::size_t first, std::size_t second) {
+  if (bulge_class == walls::none && first == inside_plate && second == inside_plate) return middle_of_plate;
+  if (bulge_class == walls::one && (first == inside_plate || second == inside_plate)) return side_of_plate;
+  if (bulge_class == walls::corner && first == plate_edge && second == plate_edge) return corner_of_plate;
+  return bulge_class;
+}
+
 void check(const HollowOptions& options) {
   if (!(options.wall_thickness_m > 0.0 && 2.0 * options.wall_thickness_m < options.cell_edge_m))
     throw std::invalid_argument("a wall must be thinner than half a cell, and thicker than nothing");
@@ -169,15 +204,26 @@ HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptio
     const auto is_open = [&](const CellIndex& other) {
       return body.region_of({other.x / parts, other.y / parts, other.z / parts}) == body.region_of(cell);
     };
+    const auto lies_between = [&](const CellIndex& other, std::size_t normal) {
+      const CellIndex other_cell{other.x / parts, other.y / parts, other.z / parts};
+      const std::array<bool, 6> walled =
+          walled_sides(body, other_cell, {other.x % parts, other.y % parts, other.z % parts}, parts);
+      return walled[2 * normal] && walled[2 * normal + 1];
+    };
     std::array<std::uint8_t, 3> wall_class{};
     std::array<std::uint8_t, 3> bulge_class{};
+    std::array<std::uint8_t, 3> size_class{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const AxisClasses classes = classes_along(axis, voxel, voxels.walled.back(), is_open);
       wall_class[axis] = classes.wall;
       bulge_class[axis] = classes.bulge;
+      size_class[axis] = size_class_along(axis, classes.wall, voxel, voxels.walled.back(), is_open, lies_between);
     }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      bulge_class[axis] = face_class(bulge_class[axis], size_class[(axis + 1) % 3], size_class[(axis + 2) % 3]);
     voxels.wall_class.push_back(wall_class);
     voxels.bulge_class.push_back(bulge_class);
+    voxels.size_class.push_back(size_class);
     voxels.chamber.push_back(body.region_of(cell).value());
     const WallShape wall = wall_shape(body, cell, slice[static_cast<std::size_t>(part[0])],
                                       slice[static_cast<std::size_t>(part[1])], slice[static_cast<std::size_t>(part[2])]);

@@ -7,6 +7,7 @@
 
 #include "meshes/design/hollow_body_options.h"
 #include "meshes/design/polycube.h"
+#include "voxel/model/surrogate_parameters.h"
 
 namespace menger::voxel {
 
@@ -29,7 +30,8 @@ struct HollowVoxels {
   /// Which of the walled sides separate two chambers of one module. Half of such a wall lies in this voxel.
   std::vector<std::array<bool, 6>> shared;
   std::vector<std::array<std::uint8_t, 3>> wall_class;  ///< per axis, see wall_class_names
-  /// Per axis: the class by which the faces of the voxel across the axis bulge, see surrogate_parameters.h.
+  std::vector<std::array<std::uint8_t, 3>> size_class;  ///< per axis, the law class of beams
+  /// Per axis: the law class by which the faces of the voxel across the axis bulge.
   std::vector<std::array<std::uint8_t, 3>> bulge_class;
   std::vector<std::size_t> chamber;  ///< chamber of the voxel; numbered by module and first cell
   std::size_t chamber_count = 0;

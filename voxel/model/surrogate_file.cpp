@@ -60,6 +60,18 @@ void check_laws(const io::TomlTable& table, const SurrogateParameters& parameter
   }
 }
 
+/// Checks that plates keep a length over the range of validity of their classes.
+/// @throws io::InputError otherwise
+void check_plates(const io::TomlTable& table, const SurrogateParameters& parameters) {
+  for (const std::size_t size_class : {inside_plate, plate_edge}) {
+    for (const double end : law_range(parameters, wall_class_of(size_class))) {
+      if (1.0 + parameters.extension_of(size_class).value(end) > 0.0) continue;
+      throw table.error("plate_stretch_ratio", "the rest length of " + law_class_text(size_class) + " is not positive at " +
+                                                   io::number_text(end) + " Pa, within the range of validity");
+    }
+  }
+}
+
 /// Describes one value of the laws of all classes as one list.
 void describe_of_laws(io::StudyVisitor& visitor, const io::Key& key, ByWallClass<PressureLaw>& laws, double PressureLaw::*value,
                       const io::Range& range = io::any_number()) {
@@ -177,7 +189,21 @@ void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
     visitor.number({"elbow_ratio",
                     "Turn of a beam where a tube bends or branches (rad), divided by the strain that pressure gives the beam."},
                    parameters.elbow_ratio, io::non_negative());
-    if (const io::TomlTable* table = visitor.source()) check_laws(*table, parameters, parameters.extension, true);
+    visitor.number({"plate_stretch_ratio", "Slope inside a plate, divided by that of wall class 2o."},
+                   parameters.plate_stretch_ratio, io::positive());
+    visitor.number({"plate_draw_in", "By what share of its length a plate becomes shorter at most because its walls bulge."},
+                   parameters.plate_draw_in, {.lowest = 0.0, .highest = 1.0, .highest_excluded = true});
+    visitor.number(
+        {"plate_rise", "How much further the faces of a plate stand out at most than those of a block, by the edge of a voxel."},
+        parameters.plate_rise, io::non_negative());
+    visitor.number({"plate_draw_in_per_Pa", "Reciprocal of the pressure at which half of both is reached."},
+                   parameters.plate_draw_in_per_Pa, io::non_negative());
+    visitor.number({"plate_edge_share", "What is left of all three at the edges of plates: 0 nothing, 1 all."},
+                   parameters.plate_edge_share, io::within(0.0, 1.0));
+    if (const io::TomlTable* table = visitor.source()) {
+      check_laws(*table, parameters, parameters.extension, true);
+      check_plates(*table, parameters);
+    }
   });
   visitor.table({"bulge", "How far faces with a wall bulge under pressure, by wall class."}, [&] {
     describe_laws(visitor, parameters.bulge);

@@ -49,6 +49,36 @@ inline std::string wall_class_text(std::size_t wall_class) {
 template <class Value>
 using ByWallClass = std::array<Value, wall_class_count>;
 
+/// Which law a beam or a face follows: that of its wall class, or bulge class, but in plates. The walls of a plate become arcs.
+/// So its edges are drawn in, and its faces rise further than those of a block.
+///
+/// Beams: `inside_plate` is walls::limb with open squares of four voxels beside the axis on both sides. `plate_edge` is
+/// walls::three with such a square on its open side. Where limbs leave the plate beside the axis, on both sides or at an edge on
+/// its one side, they hold it, and it has its wall class. Faces: the middle of a plate is inside it along both axes, its side
+/// along one of them, and its corner has edges along both.
+inline constexpr std::size_t inside_plate = wall_class_count;
+inline constexpr std::size_t plate_edge = wall_class_count + 1;
+inline constexpr std::size_t middle_of_plate = wall_class_count + 2;  ///< of walls::none
+inline constexpr std::size_t side_of_plate = wall_class_count + 3;    ///< of walls::one
+inline constexpr std::size_t corner_of_plate = wall_class_count + 4;  ///< of walls::corner
+inline constexpr std::size_t law_class_count = wall_class_count + 5;
+/// Returns the wall class of a law class.
+constexpr std::size_t wall_class_of(std::size_t law_class) {
+  constexpr std::array<std::size_t, law_class_count - wall_class_count> in_plates{walls::limb, walls::three, walls::none,
+                                                                                  walls::one, walls::corner};
+  return law_class < wall_class_count ? law_class : in_plates[law_class - wall_class_count];
+}
+/// Returns a law class as messages name it.
+inline std::string law_class_text(std::size_t law_class) {
+  constexpr std::array<std::string_view, law_class_count - wall_class_count> in_plates{
+      "inside a plate", "at the edge of a plate", "in the middle of a plate", "at the side of a plate",
+      "in the corner of a plate"};
+  return law_class < wall_class_count ? wall_class_text(law_class)
+                                      : "voxels " + std::string(in_plates[law_class - wall_class_count]);
+}
+template <class Value>
+using ByLawClass = std::array<Value, law_class_count>;
+
 /// The number of cells between two walls that face each other: one, two, or three and more.
 namespace gaps {
 enum Gap : std::uint8_t { one_cell, two_cells, three_or_more_cells };
@@ -120,11 +150,11 @@ struct ValidityRange {
 /// factors multiply the stiffnesses where the two voxels belong to different chambers. They leave the shear compliance as it is,
 /// because it comes from the side walls over the whole length of the beam.
 ///
-/// The rest length of a half is (L / 2)(1 + extension[c](p)), with the pressure p of its chamber. It is longer where the half
-/// leaves a plate. The two halves are at an angle where it leaves the plate off its middle (WallOpening), and at elbows
-/// (elbow_turns). Lateral coupling
-/// shortens the rest length of a beam along axis a by L c (e_b + e_d). Here e_b and e_d are the strains along the two other axes
-/// b and d, each in the mean over the voxels at both ends; see rest_lengths.h.
+/// The rest length of a half is (L / 2)(1 + extension(p)), with the law extension_of its size class and the pressure p of its
+/// chamber. It is longer where the half leaves a plate. The two halves are at an angle where it leaves the plate off its middle
+/// (WallOpening), and at elbows (elbow_turns). Lateral coupling shortens the rest length of a beam along axis a by L c (e_b +
+/// e_d). Here e_b and e_d are the strains along the two other axes b and d, each in the mean over the voxels at both ends; see
+/// rest_lengths.h.
 ///
 /// A face with a wall lies (L / 2)(1 + extension) + L bulge[c](p) from the centre in the mean over its area. Where it stands out
 /// most, L bulge_peak_ratio[c] bulge[c](p) takes the place of the last term. The face meets the ground at that place, at its
@@ -149,6 +179,14 @@ struct SurrogateParameters {
   /// Turn of a beam at an elbow, rad, by the strain that pressure gives the beam; >= 0, see elbow_turns.
   double elbow_ratio = 0.0;
   double lateral_coupling = 0.0;  ///< c, 0 <= c < 1; a wide body contracts by c / (1 + c) of its strain
+  /// Inside a plate the law of extension has a slope r times as steep, and loses the draw-in d; its faces rise by g (see
+  /// PressureLaw). At the edges of a plate, whose side walls resist, a share e of this is left: r is 1 + e (r - 1), d is e d. The
+  /// side of a plate rises by g (1 + e) / 2, its corner by e g.
+  double plate_stretch_ratio = 1.0;   ///< r > 0
+  double plate_draw_in = 0.0;         ///< 0 <= d < 1
+  double plate_rise = 0.0;            ///< g >= 0, mean over a face, as a fraction of L
+  double plate_draw_in_per_Pa = 0.0;  ///< h >= 0, of both
+  double plate_edge_share = 0.0;      ///< 0 <= e <= 1
   ByWallClass<PressureLaw> extension{};
   ByWallClass<PressureLaw> bulge{};
   ByWallClass<double> bulge_peak_ratio = all_classes(1.0);  ///< largest bulge of a face by its mean, >= 1
@@ -160,6 +198,27 @@ struct SurrogateParameters {
   bool damping_measured = false;          ///< false: the ratio is an assumption, no loss was measured
 
   [[nodiscard]] double voxel_edge_m() const { return cell_edge_m / voxels_per_cell; }
+  /// Returns the law of extension of the beams of a law class.
+  [[nodiscard]] PressureLaw extension_of(std::size_t law_class) const {
+    PressureLaw of_class = extension[wall_class_of(law_class)];
+    if (law_class != inside_plate && law_class != plate_edge) return of_class;
+    const double share = law_class == inside_plate ? 1.0 : plate_edge_share;
+    of_class.slope_per_Pa *= 1.0 + share * (plate_stretch_ratio - 1.0);
+    of_class.arc = -share * plate_draw_in;
+    of_class.arc_per_Pa = plate_draw_in_per_Pa;
+    return of_class;
+  }
+  /// Returns the law of bulging of the faces of a law class.
+  [[nodiscard]] PressureLaw bulge_of(std::size_t law_class) const {
+    PressureLaw of_class = bulge[wall_class_of(law_class)];
+    if (law_class < middle_of_plate) return of_class;
+    const double at_side = law_class == side_of_plate ? 0.5 * (1.0 + plate_edge_share) : plate_edge_share;
+    of_class.arc = plate_rise * (law_class == middle_of_plate ? 1.0 : at_side);
+    of_class.arc_per_Pa = plate_draw_in_per_Pa;
+    return of_class;
+  }
+  /// Returns the largest bulge of a face of a law class, by its mean.
+  [[nodiscard]] double bulge_peak_ratio_of(std::size_t law_class) const { return bulge_peak_ratio[wall_class_of(law_class)]; }
   bool operator==(const SurrogateParameters&) const = default;
 };
 

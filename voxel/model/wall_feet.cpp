@@ -72,7 +72,7 @@ std::vector<WallFoot> wall_feet(const Lattice& lattice, const HollowVoxels& voxe
     if (!has_free_wall(lattice, voxels, voxel, side)) continue;
     const std::size_t axis = side / 2;
     SideFeet on_side = side_feet(lattice, voxels, voxel, axis, side % 2 != 0);
-    const std::uint8_t of_class = voxels.bulge_class[voxel][axis];
+    const std::size_t of_class = wall_class_of(voxels.bulge_class[voxel][axis]);
     const bool slopes = !on_side.crowns.empty() && (of_class == walls::corner || of_class == walls::one);
     feet.push_back(middle_of(voxel, axis, side % 2 != 0, slopes));
     corners.insert(on_side.rim.begin(), on_side.rim.end());

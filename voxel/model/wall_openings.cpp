@@ -28,7 +28,7 @@ WallOpening opening_of(const Lattice& lattice, const HollowVoxels& voxels, std::
       }
     }
   }
-  for (const ByWallClass<double>& turn : opening.turn)
+  for (const ByLawClass<double>& turn : opening.turn)
     opening.tilts = opening.tilts || std::ranges::any_of(turn, [](double of_class) { return of_class != 0.0; });
   return opening;
 }

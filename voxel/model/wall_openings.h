@@ -29,10 +29,10 @@ using AcrossBeam = std::array<Value, 2>;
 /// So the half beam through the side is longer by the lift, and the voxel at the upper end of the beam is turned against that at
 /// the lower end by (s_v, -s_u) about u and v, whichever end the plate is at. In the middle of a plate a limb stands upright.
 struct WallOpening {
-  ByWallClass<double> lift{};              ///< times L bulge_peak_ratio[c] bulge[c] and neck_ratio: the lift, m
-  AcrossBeam<ByWallClass<double>> turn{};  ///< times bulge_peak_ratio[c] bulge[c] and neck_ratio: the turn, rad
-  bool lifts = false;                      ///< whether any corner lies in a plate
-  bool tilts = false;                      ///< whether any turn is not zero
+  ByLawClass<double> lift{};              ///< times L bulge_peak_ratio[c] bulge[c] and neck_ratio: the lift, m
+  AcrossBeam<ByLawClass<double>> turn{};  ///< times bulge_peak_ratio[c] bulge[c] and neck_ratio: the turn, rad
+  bool lifts = false;                     ///< whether any corner lies in a plate
+  bool tilts = false;                     ///< whether any turn is not zero
 };
 
 /// Returns the openings of all voxels, per voxel and side (-x, +x, -y, ...). A side with a wall, one inside a wide body, where

@@ -105,7 +105,7 @@ Vector3<double> BodyShape::middle_of_top() const {
     if (is_rim && !top.is_open) {
       sum = sum + rim_of_top(voxel, top.towards[n]);
     } else {
-      const double peak_ratio = body_->parameters.bulge_peak_ratio[body_->voxels.bulge_class[voxel][2]];
+      const double peak_ratio = body_->parameters.bulge_peak_ratio_of(body_->voxels.bulge_class[voxel][2]);
       sum = sum + face(voxel, Side::z_max, top.is_open ? 0.0 : peak_ratio);
     }
   }

@@ -223,7 +223,7 @@ std::vector<ForceBalance::PressedFoot> ForceBalance::pressed_feet(const StaticSt
                                              body_->half_length(sizes_, voxel, 2)};
   const auto bulge_of = [&](std::size_t other, std::size_t axis) {
     const double mean = body_->bulge(sizes_, other, axis);
-    return WallBulge{.mean = mean, .peak = mean * body_->parameters.bulge_peak_ratio[voxels.bulge_class[other][axis]]};
+    return WallBulge{.mean = mean, .peak = mean * body_->parameters.bulge_peak_ratio_of(voxels.bulge_class[other][axis])};
   };
   const Pose& pose = state.poses[voxel];
   const Rotation<double> turn = matrix(pose.orientation);

@@ -24,7 +24,7 @@ std::string beyond_laws(const StaticBody& body, double pressure_Pa) {
       }
     }
   }
-  return "a wall class has no positive rest length at pressure_Pa = " + io::number_text(pressure_Pa);
+  return "beams of a class have no positive rest length at pressure_Pa = " + io::number_text(pressure_Pa);
 }
 
 std::string contact_text(const StaticBody& body, const BodyShape::WallContact& contact) {

@@ -109,7 +109,7 @@ StaticBody::StaticBody(const SurrogateParameters& body_parameters, HollowVoxels 
       edge_m(parameters.voxel_edge_m()),
       openings(wall_openings(lattice, voxels, parameters.voxels_per_cell)),
       beam_at(lattice.voxel_count()) {
-  for (const auto* classes : {&voxels.wall_class, &voxels.bulge_class}) {
+  for (const auto* classes : {&voxels.size_class, &voxels.wall_class, &voxels.bulge_class}) {
     for (const auto& of_voxel : *classes) {
       for (const std::uint8_t c : of_voxel) has_class[c] = true;
     }
@@ -155,10 +155,10 @@ AcrossBeam<double> StaticBody::half_kink(const DrivenSizes& sizes, const StaticB
   return half;
 }
 
-double StaticBody::crown_sum(const DrivenSizes& sizes, std::size_t voxel, const ByWallClass<double>& shares) const {
+double StaticBody::crown_sum(const DrivenSizes& sizes, std::size_t voxel, const ByLawClass<double>& shares) const {
   double sum = 0.0;
-  for (std::size_t c = 0; c < wall_class_count; ++c)
-    sum += shares[c] * parameters.bulge_peak_ratio[c] * sizes.bulge[voxels.chamber[voxel]][c];
+  for (std::size_t c = 0; c < law_class_count; ++c)
+    sum += shares[c] * parameters.bulge_peak_ratio_of(c) * sizes.bulge[voxels.chamber[voxel]][c];
   return parameters.neck_ratio * sum;
 }
 
@@ -168,15 +168,14 @@ std::optional<DrivenSizes> driven_sizes(const StaticBody& body, const std::vecto
   DrivenSizes sizes;
   sizes.pressures_Pa = pressures_Pa;
   for (const double pressure : pressures_Pa) {
-    ByWallClass<double> half_lengths{};
-    ByWallClass<double> bulges{};
-    for (std::size_t c = 0; c < wall_class_count; ++c) {
+    ByLawClass<double> half_lengths{};
+    ByLawClass<double> bulges{};
+    for (std::size_t c = 0; c < law_class_count; ++c) {
       if (!body.has_class[c]) continue;
-      for (const PressureLaw& law : {parameters.extension[c], parameters.bulge[c]}) {
-        if (!law.has_value(pressure)) return std::nullopt;
-      }
+      const PressureLaw bulge = parameters.bulge_of(c);
+      if (!parameters.extension_of(c).has_value(pressure) || !bulge.has_value(pressure)) return std::nullopt;
       half_lengths[c] = half_length_m(parameters, c, pressure);
-      bulges[c] = parameters.bulge[c].value(pressure);
+      bulges[c] = bulge.value(pressure);
       if (!(half_lengths[c] >= smallest) || !std::isfinite(half_lengths[c]) || !std::isfinite(bulges[c])) return std::nullopt;
     }
     sizes.half_m.push_back(half_lengths);

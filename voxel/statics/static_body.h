@@ -39,9 +39,9 @@ struct Plate {
 
 /// Half lengths of voxels and bulges of their walls under the pressures of their chambers.
 struct DrivenSizes {
-  std::vector<ByWallClass<double>> half_m;  ///< by chamber: (L / 2)(1 + extension)
-  std::vector<ByWallClass<double>> bulge;   ///< by chamber, fraction of L
-  std::vector<double> pressures_Pa;         ///< by chamber, gauge
+  std::vector<ByLawClass<double>> half_m;  ///< by chamber: (L / 2)(1 + extension)
+  std::vector<ByLawClass<double>> bulge;   ///< by chamber, fraction of L
+  std::vector<double> pressures_Pa;        ///< by chamber, gauge
 };
 
 /// A surrogate body at rest, with plates: all data of its equilibria and vibrations that do not depend on loads.
@@ -62,7 +62,7 @@ struct StaticBody {
   std::vector<Pose> rest;       ///< of all nodes
   std::vector<double> mass_kg;  ///< of voxels
   std::vector<double> inertia_kg_m2;
-  ByWallClass<bool> has_class{};  ///< whether any voxel has the class along any axis, for its walls or its bulge
+  ByLawClass<bool> has_class{};  ///< whether any voxel has the class along any axis, for its length, its walls or its bulge
   std::vector<std::array<WallOpening, 6>> openings;
   /// Per voxel and side: the beam that leaves the voxel there, if any.
   std::vector<std::array<std::optional<std::size_t>, 6>> beam_at;
@@ -75,21 +75,21 @@ struct StaticBody {
 
   /// Half length of a voxel along an axis, without lateral coupling, m.
   [[nodiscard]] double half_length(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
-    return sizes.half_m[voxels.chamber[voxel]][voxels.wall_class[voxel][axis]];
+    return sizes.half_m[voxels.chamber[voxel]][voxels.size_class[voxel][axis]];
   }
   /// Rest length of a beam, without lateral coupling, m.
   [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;
   /// Half the kink of a beam, see kink in beam.h, rad.
   [[nodiscard]] AcrossBeam<double> half_kink(const DrivenSizes& sizes, const StaticBeam& beam) const;
   /// The sum over the wall classes of shares of the heights at an opening, see WallOpening, as a fraction of L.
-  [[nodiscard]] double crown_sum(const DrivenSizes& sizes, std::size_t voxel, const ByWallClass<double>& shares) const;
+  [[nodiscard]] double crown_sum(const DrivenSizes& sizes, std::size_t voxel, const ByLawClass<double>& shares) const;
   /// Mean bulge of a wall of a voxel across an axis, m.
   [[nodiscard]] double bulge(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
     return edge_m * sizes.bulge[voxels.chamber[voxel]][voxels.bulge_class[voxel][axis]];
   }
 };
 
-/// Sizes of voxels under gauge pressures (Pa), one per chamber, for the wall classes that a body has. Returns nothing if the law
+/// Sizes of voxels under gauge pressures (Pa), one per chamber, for the classes that a body has. Returns nothing if the law
 /// of such a class reaches its pole, or if a half length falls below a tenth of its value at rest: such a body has no usable
 /// size.
 std::optional<DrivenSizes> driven_sizes(const StaticBody& body, const std::vector<double>& pressures_Pa);

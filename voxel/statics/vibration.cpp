@@ -15,7 +15,7 @@ namespace {
 Eigen::VectorXd pressure_slope(ForceBalance& balance, const Equilibrium& equilibrium) {
   // The step is so small that the curvature of the laws does not matter.
   const SurrogateParameters& parameters = balance.body().parameters;
-  double rate = 0.0;
+  double rate = parameters.plate_draw_in > 0.0 ? parameters.plate_draw_in_per_Pa : 0.0;
   for (const auto& laws : {parameters.extension, parameters.bulge}) {
     for (const PressureLaw& law : laws)
       rate = std::max({rate, std::abs(law.slope_per_Pa), std::abs(law.pressure_softening_per_Pa),

@@ -29,6 +29,11 @@ bool is_size(Quantity quantity) {
     case Quantity::bulge_fading:
     case Quantity::bulge_peak_ratio:
     case Quantity::elbow_ratio:
+    case Quantity::plate_stretch_ratio:
+    case Quantity::plate_draw_in:
+    case Quantity::plate_rise:
+    case Quantity::plate_draw_in_per_Pa:
+    case Quantity::plate_edge_share:
       return true;
     default:
       return false;
@@ -80,6 +85,7 @@ DetailSet missing_details(const SurrogateParameters& parameters, OwnPart part) {
        std::any_of(parameters.shear_compliance_per_Pa.begin(), parameters.shear_compliance_per_Pa.end(), shears));
   look(CalibrationDetail::lateral, Quantity::lateral_coupling, parameters.lateral_coupling > 0.0);
   look(CalibrationDetail::elbows, Quantity::elbow_ratio, parameters.elbow_ratio > 0.0);
+  look(CalibrationDetail::plates, Quantity::plate_draw_in, parameters.plate_draw_in > 0.0);
   return missing;
 }
 
@@ -96,7 +102,8 @@ CalibrationFit fit_part(const CalibrationProblem& problem, OwnPart part, const D
                     CalibrationDetail::shear,
                     CalibrationDetail::joints,
                     CalibrationDetail::lateral,
-                    CalibrationDetail::elbows};
+                    CalibrationDetail::elbows,
+                    CalibrationDetail::plates};
   for (const CalibrationDetail detail : left_out) details.erase(detail);
   std::vector<FittedParameter> unknowns;
   for (const FittedParameter& unknown : fitted_parameters(details, determined_classes(problem), problem.bounds, problem.start)) {

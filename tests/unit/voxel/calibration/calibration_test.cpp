@@ -126,7 +126,7 @@ std::vector<FittedCurve> inflations(const SurrogateParameters& truth, const std:
     load_case.kind = meshes::LoadCaseKind::inflation;
     load_case.cells = {3, 2, 2};
     load_case.digits = digits;
-    load_case.pressures_Pa = {2000, 4000};
+    load_case.pressures_Pa = {1000, 2000, 4000};
     const LoadCaseResponse response = respond(truth, load_case);
     EXPECT_EQ(response.status, io::RunStatus::completed) << response.reason;
     meshes::ResponseCurve curve{.provenance = samples::provenance(), .columns = response.columns, .values = response.values};
@@ -185,6 +185,31 @@ TEST(Calibration, FindsHowFarElbowsOpen) {
   EXPECT_LT(found.fit().chi2, 1e-3);
   EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 1);
   EXPECT_NEAR(value_named(found.fit(), "elbow_ratio").value, 2.2, 0.01);
+}
+
+TEST(Calibration, FindsHowPlatesRiseAndDrawTheirEdgesIn) {
+  SurrogateParameters truth = alike_walls();
+  // No curve says how stiff beams are, so the fit leaves that; how much the middle of a plate moves its edges depends on it.
+  const SurrogateParameters start = samples::problem({}).start;
+  truth.axial_Pa = start.axial_Pa;
+  truth.bending_Pa = start.bending_Pa;
+  truth.torsion_Pa = start.torsion_Pa;
+  truth.shear_compliance_per_Pa = start.shear_compliance_per_Pa;
+  truth.plate_stretch_ratio = 6.0;
+  truth.plate_draw_in = 0.06;
+  truth.plate_rise = 0.03;
+  truth.plate_draw_in_per_Pa = 7e-4;  // half of it within the pressures
+  truth.plate_edge_share = 0.4;
+  const Calibration found =
+      fitted_with(CalibrationDetail::plates, inflations(truth, {"111000000000", "111111000000", "110110000000"}));
+  ASSERT_TRUE(found.details().contains(CalibrationDetail::plates));
+  EXPECT_LT(found.fit().chi2, 1e-3);
+  EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 5);
+  EXPECT_NEAR(value_named(found.fit(), "plate_stretch_ratio").value, 6.0, 0.06);
+  EXPECT_NEAR(value_named(found.fit(), "plate_draw_in").value, 0.06, 0.001);
+  EXPECT_NEAR(value_named(found.fit(), "plate_rise").value, 0.03, 0.0005);
+  EXPECT_NEAR(value_named(found.fit(), "plate_draw_in_per_Pa").value, 7e-4, 7e-6);
+  EXPECT_NEAR(value_named(found.fit(), "plate_edge_share").value, 0.4, 0.01);
 }
 
 TEST(Calibration, TakesTheDetailThatIsNamed) {

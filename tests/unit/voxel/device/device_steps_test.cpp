@@ -286,6 +286,10 @@ TEST(DeviceSteps, GiveTheBytesOfTheEngineForCalibratedBodies) {
     physics.actuation.ramp_s = 0.02;
     physics.surrogate->parameters.neck_ratio = 1.5;
     physics.surrogate->parameters.elbow_ratio = 2.5;
+    physics.surrogate->parameters.plate_draw_in = 0.1;
+    physics.surrogate->parameters.plate_rise = 0.05;
+    physics.surrogate->parameters.plate_draw_in_per_Pa = 1e-3;
+    physics.surrogate->parameters.plate_edge_share = 0.2;
     physics.surrogate->parameters.lateral_coupling = 0.3;
     expect_same_strains(physics, 0.06);
     physics.integration.single_precision_rest_lengths = true;

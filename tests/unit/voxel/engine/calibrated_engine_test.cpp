@@ -66,6 +66,30 @@ TEST(Frame, ShowsTheWallOfATeeAsNarrowAsItsArms) {
   EXPECT_NEAR(frame.reach_m[1][4], 0.5 * length + 0.01 * p.bulge[walls::bend].value(pressure_Pa), 1e-12);
 }
 
+TEST(Frame, ShowsAPlateThatRisesAndDrawsItsEdgesIn) {
+  constexpr double pressure_Pa = 1000.0;
+  Physics physics = held_at(pressure_Pa);
+  SurrogateParameters& p = physics.surrogate->parameters;
+  p.plate_stretch_ratio = 3.0;
+  p.plate_draw_in = 0.2;
+  p.plate_rise = 0.08;
+  p.plate_draw_in_per_Pa = 1.0 / pressure_Pa;
+  p.plate_edge_share = 0.25;
+  Simulation simulation(meshes::plane(3), 0.01, physics);
+  const Frame frame = simulation.frame();
+  // Half of the draw-in and of the rise at this pressure; at the edge a quarter of it, and of what the slope is steeper by.
+  const double inside = 3.0 * p.extension[walls::limb].value(pressure_Pa) - 0.1;
+  const double edge = 1.5 * p.extension[walls::three].value(pressure_Pa) - 0.025;
+  EXPECT_NEAR(frame.reach_m[4][0], 0.005 * (1.0 + inside), 1e-12);
+  EXPECT_NEAR(frame.reach_m[0][1], 0.005 * (1.0 + edge), 1e-12);
+  const auto top = [&](std::size_t wall_class, double rise) {
+    return 0.005 * (1.0 + p.extension[wall_class].value(pressure_Pa)) + 0.01 * (p.bulge[wall_class].value(pressure_Pa) + rise);
+  };
+  EXPECT_NEAR(frame.reach_m[4][5], top(walls::none, 0.04), 1e-12);
+  EXPECT_NEAR(frame.reach_m[1][5], top(walls::one, 0.04 * 0.625), 1e-12);
+  EXPECT_NEAR(frame.reach_m[0][5], top(walls::corner, 0.04 * 0.25), 1e-12);
+}
+
 TEST(Frame, OfSolidVoxelsHasCubes) { EXPECT_TRUE(Simulation(meshes::bar(2), 0.01, Physics{}).frame().reach_m.empty()); }
 
 TEST(ScaleCheck, RefusesAnyStiffnessThatCannotBeSteppedWith) {
@@ -157,6 +181,15 @@ TEST(ScaleCheck, RefusesWallsThatGrowBeyondAHundredEdges) {
   };
   EXPECT_EQ(problem(elbow(3.1)), "");
   EXPECT_NE(problem(elbow(3.2)).find("extension.elbow_ratio = 3.2: at pressure_Pa = "), std::string::npos) << problem(elbow(3.2));
+}
+
+TEST(ScaleCheck, RefusesPlatesThatGrowBeyondAHundredEdges) {
+  Physics physics = held_at(1000.0);
+  SurrogateParameters& p = physics.surrogate->parameters;
+  p.plate_stretch_ratio = 99.0 / p.extension[walls::limb].value(1000.0);
+  EXPECT_EQ(unusable_scales(physics, 0.01, 1.0), "");
+  p.plate_stretch_ratio *= 101.0 / 99.0;
+  EXPECT_NE(unusable_scales(physics, 0.01, 1.0).find("extension.plate_stretch_ratio = "), std::string::npos);
 }
 
 TEST(ScaleCheck, LeavesLawsWithoutAValueToThoseWhoKnowTheBody) {

@@ -80,6 +80,14 @@ TEST(HollowVoxels, CountLateralWallsOfEveryVoxel) {
   EXPECT_EQ(names(meshes::full_cube(3), 13), (Names{"0", "0", "0"}));                    // centre
 }
 
+/// The bulge classes without what plates change.
+std::vector<std::array<std::uint8_t, 3>> walls_of_faces(const HollowVoxels& voxels) {
+  std::vector<std::array<std::uint8_t, 3>> classes = voxels.bulge_class;
+  for (auto& of_voxel : classes)
+    for (std::uint8_t& of_face : of_voxel) of_face = static_cast<std::uint8_t>(wall_class_of(of_face));
+  return classes;
+}
+
 TEST(HollowVoxels, BulgeAsThePlateThatTheyArePartOf) {
   struct Plate {
     const char* digits;  // of 3 x 3 cells
@@ -98,8 +106,51 @@ TEST(HollowVoxels, BulgeAsThePlateThatTheyArePartOf) {
     SCOPED_TRACE(plate.digits);
     const HollowVoxels voxels = hollow_voxels(Polycube::from_digits(3, 3, 1, plate.digits), options());
     EXPECT_EQ(wall_class_names.at(voxels.wall_class[plate.voxel][2]), plate.wall_class);
-    EXPECT_EQ(wall_class_names.at(voxels.bulge_class[plate.voxel][2]), plate.bulge_class);
+    EXPECT_EQ(wall_class_names.at(walls_of_faces(voxels)[plate.voxel][2]), plate.bulge_class);
   }
+}
+
+TEST(HollowVoxels, FollowTheLawsOfThePlateThatTheyArePartOf) {
+  struct Case {
+    const char* why;
+    const char* digits;  // of 3 x 3 x 2 cells
+    std::size_t voxel;
+    std::array<std::size_t, 3> beams;
+    std::size_t face;  // across z
+  };
+  constexpr std::size_t one = walls::one;
+  constexpr std::size_t corner = walls::corner;
+  constexpr std::size_t limb = walls::limb;
+  const std::array cases{Case{"corner of a plate", "111111111", 0, {plate_edge, plate_edge, corner}, corner_of_plate},
+                         Case{"middle of an edge", "111111111", 1, {plate_edge, inside_plate, one}, side_of_plate},
+                         Case{"middle of a plate", "111111111", 4, {inside_plate, inside_plate, walls::none}, middle_of_plate},
+                         Case{"corner of a square", "110110000", 0, {plate_edge, plate_edge, corner}, corner_of_plate},
+                         Case{"middle of a bar", "111000000", 1, {walls::closed, limb, limb}, limb},
+                         Case{"where a tee branches", "111010000", 1, {walls::three, limb, one}, walls::bend},
+                         Case{"middle of a cross", "010111010", 2, {limb, limb, walls::none}, walls::bend},
+                         Case{"beside a square, on one side only", "110111000", 3, {plate_edge, limb, one}, corner},
+                         // Upper layers: the limbs of the lower one leave the plate.
+                         Case{"between two legs", "101000000111111111", 3, {plate_edge, limb, one}, one},
+                         Case{"beside one leg", "100000000111111111", 2, {plate_edge, inside_plate, one}, side_of_plate},
+                         Case{"corner above no leg", "100000000111111111", 3, {plate_edge, plate_edge, corner}, corner_of_plate},
+                         Case{"middle, with legs in the corners",
+                              "101000101111111111",
+                              8,
+                              {inside_plate, inside_plate, walls::none},
+                              middle_of_plate}};
+  for (const Case& one_case : cases) {
+    SCOPED_TRACE(one_case.why);
+    const bool is_flat = std::string_view(one_case.digits).size() == 9;
+    const HollowVoxels voxels = hollow_voxels(Polycube::from_digits(3, 3, is_flat ? 1 : 2, one_case.digits), options());
+    const auto& found = voxels.size_class[one_case.voxel];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(law_class_text(found[axis]), law_class_text(one_case.beams[axis])) << axis;
+    EXPECT_EQ(law_class_text(voxels.bulge_class[one_case.voxel][2]), law_class_text(one_case.face));
+  }
+  const HollowVoxels refined = hollow_voxels(meshes::plane(3), options(2));
+  EXPECT_EQ(refined.size_class, refined.wall_class) << "no voxel of half a cell has both walls of a plate";
+  const HollowVoxels modules = hollow_voxels(meshes::plane(2), options(1, 2));
+  for (const auto& classes : modules.size_class) EXPECT_EQ(classes[0], plate_edge) << "each module is a plate of its own";
 }
 
 TEST(HollowVoxels, BulgeByTheirWallsWhereNothingButSquaresAndLimbsMeet) {
@@ -110,7 +161,7 @@ TEST(HollowVoxels, BulgeByTheirWallsWhereNothingButSquaresAndLimbsMeet) {
   for (const Polycube& body : {meshes::bar(1), meshes::bar(3), meshes::plane(2), slab, elbow, tripod, meshes::full_cube(3)}) {
     for (const int parts : {1, 2}) {
       const HollowVoxels voxels = hollow_voxels(body, options(parts));
-      EXPECT_EQ(voxels.bulge_class, voxels.wall_class) << body.digits() << ", " << parts;
+      EXPECT_EQ(walls_of_faces(voxels), voxels.wall_class) << body.digits() << ", " << parts;
     }
   }
   const HollowVoxels modules = hollow_voxels(meshes::bar(2), options(1, 2));

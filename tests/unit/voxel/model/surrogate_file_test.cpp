@@ -38,6 +38,11 @@ SurrogateParameters example() {
   p.bulge_peak_ratio.fill(2.1);
   p.neck_ratio = 1.7;
   p.elbow_ratio = 2.3;
+  p.plate_stretch_ratio = 3.3;
+  p.plate_draw_in = 0.11;
+  p.plate_rise = 0.07;
+  p.plate_draw_in_per_Pa = 4e-4 / 3.0;
+  p.plate_edge_share = 0.12;
   p.ground_stiffness_N_per_m = 512.0 / 3.0;
   p.bond_damping_ratio = 0.2;
   p.damping_measured = true;
@@ -150,6 +155,12 @@ TEST_F(SurrogateFile, NamesWhatIsWrong) {
   expect("peak_ratio = [2.1", "peak_ratio = [0.5", "must be >= 1");
   expect("neck_ratio = 1.7", "neck_ratio = 0", "must be > 0");
   expect("elbow_ratio = 2.3", "elbow_ratio = -1", "must be >= 0");
+  expect("plate_stretch_ratio = 3.3", "plate_stretch_ratio = 0", "must be > 0");
+  expect("plate_draw_in = 0.11", "plate_draw_in = 1", "must be in [0, 1)");
+  expect("plate_rise = 0.07", "plate_rise = -0.07", "must be >= 0");
+  expect("plate_draw_in_per_Pa = ", "plate_draw_in_per_Pa = -", "must be >= 0");
+  expect("plate_edge_share = 0.12", "plate_edge_share = 1.1", "must be in [0, 1]");
+  expect("plate_stretch_ratio = 3.3", "plate_stretch_ratio = 1e4", "the rest length of voxels inside a plate is not positive at");
   expect("axial_Pa = [", "axial_Pa = [1, ", "must be 7 numbers, not 8");
   expect("highest_pressure_Pa = [6000", "highest_pressure_Pa = [1e6", "has its pole within the range of validity");
   expect("lowest_pressure_gap_2_Pa = [-3000, ", "lowest_pressure_gap_2_Pa = [", "must be 7 numbers, not 6");

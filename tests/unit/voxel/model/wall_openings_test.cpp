@@ -24,7 +24,7 @@ Openings openings_of(const meshes::Polycube& body, meshes::ChamberLayout chamber
   return wall_openings(Lattice(voxels.body), voxels, voxels_per_cell);
 }
 
-double total(const ByWallClass<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double total(const ByLawClass<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// The share of the four corners of an opening that lie in a plate.
 double share(const WallOpening& opening) { return total(opening.lift); }
@@ -73,8 +73,9 @@ TEST(WallOpenings, TiltWhereALimbLeavesAPlateOffItsMiddle) {
   EXPECT_DOUBLE_EQ(total(at_edge.turn[about_y]), -1.0);
   EXPECT_DOUBLE_EQ(total(at_edge.turn[about_x]), 0.0);
   // Of the voxels around both crowns, one side each is of the corner, the edge itself, another edge, and the middle.
-  EXPECT_DOUBLE_EQ(at_edge.turn[about_y][walls::none], -0.25);
-  EXPECT_DOUBLE_EQ(at_edge.turn[about_y][walls::one], -0.5);
+  EXPECT_DOUBLE_EQ(at_edge.turn[about_y][middle_of_plate], -0.25);
+  EXPECT_DOUBLE_EQ(at_edge.turn[about_y][side_of_plate], -0.25);
+  EXPECT_DOUBLE_EQ(at_edge.turn[about_y][walls::one], -0.25);
   EXPECT_DOUBLE_EQ(at_edge.turn[about_y][walls::corner], -0.25);
   const WallOpening at_corner = openings_of(meshes::Polycube::from_digits(3, 3, 2, "111111111100000000"))[0][above];
   EXPECT_DOUBLE_EQ(total(at_corner.turn[about_x]), 0.5);
