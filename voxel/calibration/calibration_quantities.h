@@ -40,7 +40,7 @@ enum class Quantity {
   plate_stretch_ratio,
   plate_draw_in,
   plate_rise,
-  plate_draw_in_per_Pa,
+  plate_arc,  ///< how soon plates rise and draw their edges in
   plate_edge_share
 };
 /// The names used in files, with the unit: "axial_Pa", "extension_slope_per_Pa", "joint_axial".
