@@ -56,6 +56,8 @@ std::vector<CalibrationCase> all_cases() {
       {"bar_inflation", "inflation", bar, "111"},
       {"square_inflation", "inflation", square, "1111"},
       {"slab_inflation", "inflation", {3, 2, 1}, "111111"},
+      // A square that an arm leaves, beside which the square bulges further.
+      {"armed_square_inflation", "inflation", {3, 2, 1}, "111110"},
       {"elbow_inflation", "inflation", square, "1110"},
       {"tripod_inflation", "inflation", {2, 2, 2}, "11101000"},
       // Two legs below the ends of a bar: the corners open, and move the feet apart.

@@ -111,8 +111,9 @@ class StudyTexts {
     text_.table("holds_for").add("silicone", robot_.record.name);
     text_.add("cell_edge_m", robot_.design.cell_edge_m).add("wall_thickness_m", robot_.wall_thickness_m);
     text_.table("fit").comment("The details that serve unseen bodies best.");
-    text_.raw("details",
-              R"(["uniform", "stiffness", "sections", "shear", "bulge_classes", "lateral", "elbows", "fading", "necks"])");
+    text_.raw(
+        "details",
+        R"(["uniform", "stiffness", "sections", "shear", "bulge_classes", "lateral", "elbows", "fading", "plates", "necks"])");
     text_.add("choice", "necks");
     return text_.text();
   }

@@ -6,8 +6,8 @@ part aggregates "4 min of one core" "fourteen aggregates of 3 to 9 modules, like
 part stepped "2 min of one core" "eight bodies with long inner edges, likewise"
 part ecoflex "10 min of two cores" "the fifteen bodies of another silicone and size of cells"
 part without_elbows "6 min of one core" "a fit in which elbows keep their angle, and the errors of both sets of bodies with it"
+part without_plates "6 min of one core" "a fit in which walls of plates follow the same laws as others, and the errors of both sets of bodies with it"
 part_on_request extension_classes "4 min of one core" "a fit in which each wall class lengthens by a law of its own, and the errors of both sets of bodies with it"
-part_on_request plates "5 min of two cores" "a fit in which plates rise and draw their edges in, and the errors of both sets of bodies with it"
 part_on_request with_aggregates "6 min of one core" "a fit that has seen five aggregates of 3 to 9 modules, and its errors on the other nine and on single bodies"
 part_on_request curves "75 min of one core" "the curves that voxels are fitted to, which come with menger (voxel/curves)"
 
@@ -75,14 +75,14 @@ without_elbows() {
 }
 
 extension_classes() {
-  another_fit extension_classes 's/"fading", /"fading", "extension_classes", /'
+  another_fit extension_classes 's/"plates", /"plates", "extension_classes", /'
   table "$results/calibration_extension_classes/details.csv" "$study/details_extension_classes.csv"
 }
 
-plates() {
-  another_fit plates 's/"fading", /"fading", "plates", /'
-  table "$results/calibration_plates/details.csv" "$study/details_plates.csv"
-  "$study/fit.py" medians "$results/held_out_plates" "$study/medians_plates.csv"
+without_plates() {
+  another_fit without_plates 's/, "plates"//'
+  table "$results/calibration_without_plates/details.csv" "$study/details_without_plates.csv"
+  "$study/fit.py" medians "$results/held_out_without_plates" "$study/medians_without_plates.csv"
 }
 
 # Validates a fit on the aggregates that with_aggregates leaves out. @param its name, parameters

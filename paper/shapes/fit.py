@@ -27,6 +27,9 @@ def values_of(parameters):
             ("no_influence", len(fit["no_influence"]), None),
             ("elbow_ratio", parameters["extension"]["elbow_ratio"], "elbow_ratio"),
             ("neck_ratio", parameters["bulge"]["neck_ratio"], "bulge_neck_ratio"),
+            *((name, parameters["extension"][name], name) for name in (
+                "plate_stretch_ratio", "plate_draw_in", "plate_rise", "plate_draw_in_per_Pa", "plate_edge_share")),
+            *((name, parameters["bulge"][name], name) for name in ("plate_arm_ratio", "wide_volume_ratio")),
             ("axial_Pa", parameters["stiffness"]["axial_Pa"][-1], "axial_Pa"),
             ("bending_Pa", parameters["stiffness"]["bending_Pa"][-1], "bending_Pa")):
         found = fit["confidence_95"].get(interval)

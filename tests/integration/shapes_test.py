@@ -19,8 +19,15 @@ axial_Pa = [1.0, 2.0]
 bending_Pa = [3.0, 4.0]
 [extension]
 elbow_ratio = 3.25
+plate_stretch_ratio = 4.0
+plate_draw_in = 0.15
+plate_rise = 0.14
+plate_draw_in_per_Pa = 4e-4
+plate_edge_share = 0.13
 [bulge]
 neck_ratio = 1.5
+plate_arm_ratio = 1.25
+wide_volume_ratio = 1.1
 [fit]
 reduced_chi2 = 2.5
 residuals = 100
@@ -30,6 +37,7 @@ at_bound = []
 no_influence = ["c"]
 [fit.confidence_95]
 elbow_ratio = [3.0, 3.5]
+plate_arm_ratio = [1.125, 1.5]
 bulge_neck_ratio = "not determined"
 [[fit.curves]]
 name = "one"
@@ -58,6 +66,8 @@ class Fit(unittest.TestCase):
         rows = self.table()
         self.assertEqual(rows["elbow_ratio"], ["3.25", "3", "3.5"])
         self.assertEqual(rows["neck_ratio"], ["1.5", "", ""], "one that is not determined has no interval")
+        self.assertEqual(rows["plate_arm_ratio"], ["1.25", "1.125", "1.5"])
+        self.assertEqual(rows["plate_draw_in"], ["0.15", "", ""])
         self.assertEqual(rows["axial_Pa"], ["2", "", ""], "that of four walls")
         self.assertEqual([rows[name][0] for name in ("curves", "wide", "at_bound", "no_influence")], ["2", "2", "0", "1"])
 

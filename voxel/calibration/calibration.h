@@ -29,6 +29,7 @@ struct CalibrationPlan {
                                          CalibrationDetail::lateral,
                                          CalibrationDetail::elbows,
                                          CalibrationDetail::fading,
+                                         CalibrationDetail::plates,
                                          CalibrationDetail::extension_classes,
                                          CalibrationDetail::stiffness_classes,
                                          CalibrationDetail::joints};

@@ -160,6 +160,8 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
     list.add(Quantity::plate_rise);
     list.add(Quantity::plate_arc);
     list.add(Quantity::plate_edge_share);
+    list.add(Quantity::plate_arm_ratio);
+    list.add(Quantity::wide_volume_ratio);
   }
   if (has(CalibrationDetail::necks)) list.add(Quantity::bulge_neck_ratio);
   return list.take();
@@ -205,6 +207,8 @@ SurrogateParameters with_detail(const SurrogateParameters& fitted, CalibrationDe
       p.plate_rise = 0.03;
       p.plate_draw_in_per_Pa = 10.0 / std::max(highest_pressure_Pa, 1.0);
       p.plate_edge_share = 0.3;
+      p.plate_arm_ratio = 1.2;
+      p.wide_volume_ratio = 1.1;
       break;
     default:
       break;

@@ -30,7 +30,7 @@ enum class CalibrationDetail {
   joints,     ///< factors of bonded joints
   lateral,    ///< lateral coupling
   elbows,     ///< how far elbows open
-  plates,     ///< how plates draw their edges in, and stretch
+  plates,     ///< how plates rise, stretch and draw their edges in, and what volume lies below wide walls
   /// How far plates stand out where limbs leave them. Always tried last, and fitted alone to the bodies that have such limbs;
   /// these take no part in the fits of all other details.
   necks

@@ -61,6 +61,10 @@ double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_cla
       return p.plate_draw_in_per_Pa;
     case Quantity::plate_edge_share:
       return p.plate_edge_share;
+    case Quantity::plate_arm_ratio:
+      return p.plate_arm_ratio;
+    case Quantity::wide_volume_ratio:
+      return p.wide_volume_ratio;
     case Quantity::lateral_coupling:
       break;
   }
@@ -103,7 +107,9 @@ const io::Words<Quantity>& quantity_words() {
                                          {"plate_draw_in", Quantity::plate_draw_in},
                                          {"plate_rise", Quantity::plate_rise},
                                          {"plate_draw_in_per_Pa", Quantity::plate_arc},
-                                         {"plate_edge_share", Quantity::plate_edge_share}};
+                                         {"plate_edge_share", Quantity::plate_edge_share},
+                                         {"plate_arm_ratio", Quantity::plate_arm_ratio},
+                                         {"wide_volume_ratio", Quantity::wide_volume_ratio}};
   return words;
 }
 std::string_view to_string(Quantity quantity) {
@@ -130,6 +136,8 @@ bool is_positive(Quantity quantity) {
     case Quantity::joint_torsion:
     case Quantity::plate_stretch_ratio:
     case Quantity::plate_arc:
+    case Quantity::plate_arm_ratio:
+    case Quantity::wide_volume_ratio:
       return true;
     default:
       return false;
@@ -228,7 +236,9 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
           {Quantity::plate_draw_in, {0.0, largest_draw_in}},
           {Quantity::plate_rise, {0.0, largest_rise}},
           {Quantity::plate_arc, about(1.0 / pressure_Pa, fading_factor)},
-          {Quantity::plate_edge_share, {0.0, 1.0}}};
+          {Quantity::plate_edge_share, {0.0, 1.0}},
+          {Quantity::plate_arm_ratio, about(1.0, neck_factor)},
+          {Quantity::wide_volume_ratio, about(1.0, neck_factor)}};
 }
 
 }  // namespace menger::voxel

@@ -41,7 +41,9 @@ enum class Quantity {
   plate_draw_in,
   plate_rise,
   plate_arc,  ///< how soon plates rise and draw their edges in
-  plate_edge_share
+  plate_edge_share,
+  plate_arm_ratio,
+  wide_volume_ratio
 };
 /// The names used in files, with the unit: "axial_Pa", "extension_slope_per_Pa", "joint_axial".
 const io::Words<Quantity>& quantity_words();
@@ -90,7 +92,8 @@ double value_in(const SurrogateParameters& parameters, Quantity quantity, std::s
 /// - Slopes of the extension with pressure: up to ten times the steepest of all wall classes, of either sign.
 /// - Softening: 1 - q |p| stays positive at all pressures of the load cases, so that a PressureLaw has no pole there.
 ///   Stiffening (q < 0) is bounded too: q |p| >= -5.
-/// - Fading and draw-in: a factor of 100 about 1 / pressure. Stretch of plates: as ratios of stiffnesses. Share of fading and of
+/// - Fading and draw-in: a factor of 100 about 1 / pressure. Stretch of plates: as ratios of stiffnesses.
+///   Ratios of arms and volumes: a factor of 10 about 1. Share of fading and of
 ///   edges of plates, draw-in, peak ratio, neck ratio, elbow ratio and lateral coupling: fixed intervals.
 ///
 /// @param rough parameters that are known roughly

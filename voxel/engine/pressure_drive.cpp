@@ -33,9 +33,12 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
     phase_of_[i] = entry->second;
   }
   responses_.resize(law_class_count * tables_.phases.size());
-  const auto response = [&](std::int32_t voxel, std::size_t axis) {
+  const auto half_response = [&](std::int32_t voxel, std::size_t side) {
     const auto v = static_cast<std::size_t>(voxel);
-    return law_class_count * phase_of_[v] + voxels.size_class[v][axis];
+    return law_class_count * phase_of_[v] + voxels.half_class[v][side];
+  };
+  const auto response = [&](std::size_t voxel, std::size_t axis) {
+    return law_class_count * phase_of_[voxel] + voxels.size_class[voxel][axis];
   };
   const auto bulge_response = [&](std::size_t voxel, std::size_t axis) {
     return law_class_count * phase_of_[voxel] + voxels.bulge_class[voxel][axis];
@@ -67,7 +70,8 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBeams& beams = lattice.beams[axis];
     for (std::size_t i = 0; i < beams.lower.size(); ++i) {
-      tables_.beam_responses[axis].push_back({response(beams.lower[i], axis), response(beams.upper[i], axis)});
+      tables_.beam_responses[axis].push_back(
+          {half_response(beams.lower[i], 2 * axis + 1), half_response(beams.upper[i], 2 * axis)});
       add_necks(axis, i, beams.lower[i], 2 * axis + 1);
       add_necks(axis, i, beams.upper[i], 2 * axis);
       add_elbow(axis, i);
@@ -77,8 +81,7 @@ PressureDrive<Real>::PressureDrive(const Lattice& lattice, const HollowVoxels& v
   lengths_m_.resize(most);
   rates_m_s_.resize(most);
   for (std::size_t i = 0; i < phases.size(); ++i) {
-    const auto voxel = static_cast<std::int32_t>(i);
-    tables_.voxel_responses.push_back({response(voxel, 0), response(voxel, 1), response(voxel, 2)});
+    tables_.voxel_responses.push_back({response(i, 0), response(i, 1), response(i, 2)});
     tables_.bulge_responses.push_back({bulge_response(i, 0), bulge_response(i, 1), bulge_response(i, 2)});
     tables_.lengths_in_use.insert(tables_.voxel_responses.back().begin(), tables_.voxel_responses.back().end());
     tables_.bulges_in_use.insert(tables_.bulge_responses.back().begin(), tables_.bulge_responses.back().end());

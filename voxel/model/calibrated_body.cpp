@@ -25,16 +25,9 @@ int root_of(int cells, int level) {
 
 /// Returns which classes the voxels of a body have, of their half beams or of their bulges.
 ByLawClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Polycube& basal_body) {
-  ByLawClass<bool> classes{};
   CalibratedBody module = calibrated;  // all modules have the same walls
   module.level = 1;
-  const HollowVoxels voxels = calibrated_voxels(basal_body, module);
-  for (const auto* lists : {&voxels.size_class, &voxels.wall_class, &voxels.bulge_class}) {
-    for (const auto& of_voxel : *lists) {
-      for (const std::uint8_t c : of_voxel) classes[c] = true;
-    }
-  }
-  return classes;
+  return law_classes_of(calibrated_voxels(basal_body, module));
 }
 
 /// Returns why voxels of a size class have no size somewhere in the drive, or an empty text.

@@ -15,8 +15,8 @@ std::string class_text(std::size_t wall_class, std::size_t gap) {
   return "walls " + std::string(cells.at(gap)) + " apart of " + wall_class_text(wall_class);
 }
 
-bool has_class(const BodyWalls& walls, std::size_t wall_class) {
-  return std::any_of(walls.facing.begin(), walls.facing.end(), [wall_class](const auto& of_gap) { return of_gap[wall_class]; });
+bool has_class(const ByGap<ByWallClass<bool>>& walls, std::size_t wall_class) {
+  return std::ranges::any_of(walls, [wall_class](const auto& of_gap) { return of_gap[wall_class]; });
 }
 
 /// Calls `found(cell, axis, gap)` for every cell and axis, with the gap between walls that the cell lies in along that axis.
@@ -51,7 +51,9 @@ BodyWalls body_walls(const meshes::Polycube& basal_body, int level, meshes::Cham
   BodyWalls walls;
   walls.has_joints = level > 1 || cells.chamber_count > 1;
   visit_gaps(cells, [&](std::size_t cell, std::size_t axis, std::size_t gap) {
-    walls.facing[gap][cells.wall_class[cell][axis]] = true;
+    const std::size_t wall_class = cells.wall_class[cell][axis];
+    walls.facing[gap][wall_class] = true;
+    if (wall_class_of(cells.bulge_class[cell][axis]) == wall_class) walls.as_wide[gap][wall_class] = true;
   });
   return walls;
 }
@@ -64,7 +66,9 @@ BodyWalls body_walls(const meshes::LoadCase& load_case) {
 
 BodyWalls all_walls(bool has_joints) {
   BodyWalls walls;
-  for (auto& of_gap : walls.facing) of_gap.fill(true);
+  for (auto* const of_gaps : {&walls.facing, &walls.as_wide}) {
+    for (auto& of_gap : *of_gaps) of_gap.fill(true);
+  }
   walls.has_joints = has_joints;
   return walls;
 }
@@ -92,7 +96,7 @@ CoveredPressures covered_pressures(const ValidityRange& validity, const BodyWall
     for (std::size_t gap = 0; gap < gap_count; ++gap) {
       if (walls.facing[gap][c]) end_below(validity.lowest_pressure_Pa[gap][c], class_text(c, gap));
     }
-    if (has_class(walls, c)) end_above(validity.highest_pressure_Pa[c], wall_class_text(c));
+    if (has_class(walls.facing, c)) end_above(validity.highest_pressure_Pa[c], wall_class_text(c));
   }
   if (walls.has_joints) {
     end_below(validity.lowest_joint_pressure_Pa, "joints");
@@ -106,10 +110,10 @@ void cover(ValidityRange& validity, const BodyWalls& walls, double lowest_Pa, do
   const auto raise = [highest_Pa](double& end) { end = std::max(end, highest_Pa); };
   for (std::size_t c = 0; c < wall_class_count; ++c) {
     for (std::size_t gap = 0; gap < gap_count; ++gap) {
-      if (!walls.facing[gap][c]) continue;
+      if (!walls.as_wide[gap][c]) continue;
       for (std::size_t as_wide = gap; as_wide < gap_count; ++as_wide) lower(validity.lowest_pressure_Pa[as_wide][c]);
     }
-    if (has_class(walls, c)) raise(validity.highest_pressure_Pa[c]);
+    if (has_class(walls.as_wide, c)) raise(validity.highest_pressure_Pa[c]);
   }
   if (!walls.has_joints) return;
   lower(validity.lowest_joint_pressure_Pa);

@@ -14,6 +14,9 @@ struct BodyWalls {
   /// Whether the body has a cell in such a gap and of such a class: by the number of cells between the two walls that the cell
   /// lies between along an axis, then by its wall class along that axis.
   ByGap<ByWallClass<bool>> facing{};
+  /// The same for cells whose faces are as wide as their wall class says. Where an arm leaves a body, the class says more: an arm
+  /// opens a side, and hardly widens the wall.
+  ByGap<ByWallClass<bool>> as_wide{};
   bool has_joints = false;  ///< modules or chambers bonded to each other
 };
 
@@ -42,9 +45,9 @@ struct CoveredPressures {
 /// them.
 CoveredPressures covered_pressures(const ValidityRange& validity, const BodyWalls& walls);
 
-/// Widens the range of validity to the pressures that a load case reached on a body. It is widened for all classes of the body's
-/// walls, and for joints if the body has any. Zero stays inside. What a class bore under vacuum is also covered where the facing
-/// walls are further apart, because there they can move further before they meet.
+/// Widens the range of validity to the pressures that a load case reached on a body. It is widened for all classes of walls of
+/// the body that are as wide as their class says, and for joints if the body has any. Zero stays inside. What a class bore under
+/// vacuum is also covered where the facing walls are further apart, because there they can move further before they meet.
 void cover(ValidityRange& validity, const BodyWalls& walls, double lowest_Pa, double highest_Pa);
 
 }  // namespace menger::voxel

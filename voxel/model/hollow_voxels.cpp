@@ -6,6 +6,7 @@
 
 #include "meshes/design/modular_body.h"
 #include "voxel/model/surrogate_parameters.h"
+#include "voxel/model/voxel_classes.h"
 
 namespace menger::voxel {
 namespace {
@@ -101,84 +102,6 @@ std::array<bool, 6> shared_sides(const meshes::ModularBody& body, const CellInde
   return shared;
 }
 
-/// Returns the bulge class of the faces of a voxel across an axis, from the squares of four voxels that it shares with open
-/// neighbours.
-/// @param walled_across whether each of the four sides parallel to the axis has a wall, in turn
-/// @param square whether the whole square between one side and the next is open; the last square lies between the last side and
-/// the first
-std::uint8_t plate_class(const std::array<bool, 4>& walled_across, const std::array<bool, 4>& square) {
-  constexpr std::array<std::uint8_t, 5> by_squares{walls::bend, walls::corner, walls::one, walls::none, walls::none};
-  const auto squares = static_cast<std::size_t>(std::ranges::count(square, true));
-  const auto arms = std::ranges::count(walled_across, false);
-  if (squares > 0 || arms > 2) return by_squares.at(squares);
-  if (arms == 2) return walled_across[0] == walled_across[2] ? walls::limb : walls::bend;
-  return arms == 1 ? walls::three : walls::closed;
-}
-
-/// The wall class of a voxel along an axis, from the sides that carry a wall, and the bulge class of its faces across the axis.
-struct AxisClasses {
-  std::uint8_t wall;
-  std::uint8_t bulge;
-};
-
-/// Returns the classes of a voxel along an axis.
-/// @param is_open whether another voxel of the grid belongs to the same chamber
-template <class IsOpen>
-AxisClasses classes_along(std::size_t axis, const CellIndex& voxel, const std::array<bool, 6>& walled, const IsOpen& is_open) {
-  const std::size_t first = (axis + 1) % 3;
-  const std::size_t second = (axis + 2) % 3;
-  const std::array<std::size_t, 4> around{2 * first, 2 * second, 2 * first + 1, 2 * second + 1};
-  std::array<bool, 4> across{};
-  std::array<bool, 4> square{};
-  for (std::size_t n = 0; n < around.size(); ++n) {
-    const std::size_t side = around[n];
-    const std::size_t next = around[(n + 1) % around.size()];
-    across[n] = walled[side];
-    square[n] = !walled[side] && !walled[next] &&
-                is_open(meshes::neighbour(meshes::neighbour(voxel, meshes::all_sides.at(side)), meshes::all_sides.at(next)));
-  }
-  constexpr std::array<std::uint8_t, 5> by_count{walls::none, walls::one, walls::limb, walls::three, walls::closed};
-  const auto count = static_cast<std::size_t>(std::ranges::count(across, true));
-  const std::uint8_t plate = plate_class(across, square);
-  const bool adjacent = count == 2 && across[0] != across[2];
-  return {.wall = adjacent ? plate : by_count.at(count), .bulge = plate};
-}
-
-/// Returns the size class of a voxel along an axis, see inside_plate and plate_edge.
-/// @param is_open whether another voxel of the grid belongs to the same chamber
-/// @param lies_between whether another voxel of the same chamber has walls on both sides along an axis
-template <class IsOpen, class LiesBetween>
-std::uint8_t size_class_along(std::size_t axis, std::uint8_t wall_class, const CellIndex& voxel,
-                              const std::array<bool, 6>& walled, const IsOpen& is_open, const LiesBetween& lies_between) {
-  if (wall_class != walls::limb && wall_class != walls::three) return wall_class;
-  const bool first_is_normal = walled[2 * ((axis + 1) % 3)] && walled[2 * ((axis + 1) % 3) + 1];
-  const std::size_t normal = (axis + (first_is_normal ? 1 : 2)) % 3;
-  const std::size_t across = 3 - axis - normal;
-  const auto beside = [&](std::size_t side) { return meshes::neighbour(voxel, meshes::all_sides.at(side)); };
-  const auto has_square = [&](std::size_t side) {
-    for (const std::size_t along : {2 * axis, 2 * axis + 1}) {
-      if (!walled[along] && is_open(meshes::neighbour(beside(side), meshes::all_sides.at(along)))) return true;
-    }
-    return false;
-  };
-  bool is_supported = true;  // by limbs that leave the plate on both sides
-  for (const std::size_t side : {2 * across, 2 * across + 1}) {
-    if (walled[side]) continue;
-    if (!has_square(side)) return wall_class;
-    is_supported = is_supported && !lies_between(beside(side), normal);
-  }
-  if (is_supported) return wall_class;
-  return wall_class == walls::limb ? inside_plate : plate_edge;
-}
-
-/// Returns the law class of the faces of a voxel from its bulge class and the size classes along the two axes of its faces.
-std::uint8_t face_class(std::uint8_t bulge_class, std::size_t first, std::size_t second) {
-  if (bulge_class == walls::none && first == inside_plate && second == inside_plate) return middle_of_plate;
-  if (bulge_class == walls::one && (first == inside_plate || second == inside_plate)) return side_of_plate;
-  if (bulge_class == walls::corner && first == plate_edge && second == plate_edge) return corner_of_plate;
-  return bulge_class;
-}
-
 void check(const HollowOptions& options) {
   if (!(options.wall_thickness_m > 0.0 && 2.0 * options.wall_thickness_m < options.cell_edge_m))
     throw std::invalid_argument("a wall must be thinner than half a cell, and thicker than nothing");
@@ -201,29 +124,12 @@ HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptio
     const std::array<int, 3> part{voxel.x % parts, voxel.y % parts, voxel.z % parts};
     voxels.walled.push_back(walled_sides(body, cell, part, parts));
     voxels.shared.push_back(shared_sides(body, cell, voxels.walled.back()));
-    const auto is_open = [&](const CellIndex& other) {
-      return body.region_of({other.x / parts, other.y / parts, other.z / parts}) == body.region_of(cell);
-    };
-    const auto lies_between = [&](const CellIndex& other, std::size_t normal) {
-      const CellIndex other_cell{other.x / parts, other.y / parts, other.z / parts};
-      const std::array<bool, 6> walled =
-          walled_sides(body, other_cell, {other.x % parts, other.y % parts, other.z % parts}, parts);
-      return walled[2 * normal] && walled[2 * normal + 1];
-    };
-    std::array<std::uint8_t, 3> wall_class{};
-    std::array<std::uint8_t, 3> bulge_class{};
-    std::array<std::uint8_t, 3> size_class{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const AxisClasses classes = classes_along(axis, voxel, voxels.walled.back(), is_open);
-      wall_class[axis] = classes.wall;
-      bulge_class[axis] = classes.bulge;
-      size_class[axis] = size_class_along(axis, classes.wall, voxel, voxels.walled.back(), is_open, lies_between);
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      bulge_class[axis] = face_class(bulge_class[axis], size_class[(axis + 1) % 3], size_class[(axis + 2) % 3]);
-    voxels.wall_class.push_back(wall_class);
-    voxels.bulge_class.push_back(bulge_class);
-    voxels.size_class.push_back(size_class);
+    const VoxelClasses classes = classes_of_voxel({body, cell, parts}, voxel);
+    const std::array<std::uint8_t, 6>& half = classes.half;
+    voxels.wall_class.push_back(classes.wall);
+    voxels.bulge_class.push_back(classes.bulge);
+    voxels.half_class.push_back(half);
+    voxels.size_class.push_back({std::min(half[0], half[1]), std::min(half[2], half[3]), std::min(half[4], half[5])});
     voxels.chamber.push_back(body.region_of(cell).value());
     const WallShape wall = wall_shape(body, cell, slice[static_cast<std::size_t>(part[0])],
                                       slice[static_cast<std::size_t>(part[1])], slice[static_cast<std::size_t>(part[2])]);
@@ -232,6 +138,19 @@ HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptio
     voxels.inertia_factor.push_back(wall.volume > 0.0 ? 4.0 * wall.second_moment / (wall.volume * voxel_edge * voxel_edge) : 1.0);
   }
   return voxels;
+}
+
+ByLawClass<bool> law_classes_of(const HollowVoxels& voxels) {
+  ByLawClass<bool> classes{};
+  const auto note = [&classes](const auto& of_voxels) {
+    for (const auto& of_voxel : of_voxels) {
+      for (const std::uint8_t c : of_voxel) classes[c] = true;
+    }
+  };
+  note(voxels.half_class);
+  note(voxels.wall_class);
+  note(voxels.bulge_class);
+  return classes;
 }
 
 std::vector<double> voxel_masses(const HollowVoxels& voxels, double density_kg_m3, double smallest_share) {

@@ -30,7 +30,10 @@ struct HollowVoxels {
   /// Which of the walled sides separate two chambers of one module. Half of such a wall lies in this voxel.
   std::vector<std::array<bool, 6>> shared;
   std::vector<std::array<std::uint8_t, 3>> wall_class;  ///< per axis, see wall_class_names
-  std::vector<std::array<std::uint8_t, 3>> size_class;  ///< per axis, the law class of beams
+  /// Per side: the law class of the half beam there, or of the length up to the wall there.
+  std::vector<std::array<std::uint8_t, 6>> half_class;
+  /// Per axis: the law class of both halves, or the wall class where only one of them lies in a plate. For feet and contacts.
+  std::vector<std::array<std::uint8_t, 3>> size_class;
   /// Per axis: the law class by which the faces of the voxel across the axis bulge.
   std::vector<std::array<std::uint8_t, 3>> bulge_class;
   std::vector<std::size_t> chamber;  ///< chamber of the voxel; numbered by module and first cell
@@ -45,6 +48,9 @@ struct HollowVoxels {
 /// out.
 /// @throws std::invalid_argument if the wall is not thinner than half a cell or a cell has no voxel
 HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptions& options);
+
+/// Returns which law classes the voxels have, of their halves, their walls or their bulges.
+ByLawClass<bool> law_classes_of(const HollowVoxels& voxels);
 
 /// Returns the masses of the voxels, kg: wall volume times density, but at least `smallest_share` (< 1) of the mean mass. The
 /// other masses are scaled down so that the body keeps its mass. Without this bound a voxel without a wall would have no mass and

@@ -63,7 +63,7 @@ void check_laws(const io::TomlTable& table, const SurrogateParameters& parameter
 /// Checks that plates keep a length over the range of validity of their classes.
 /// @throws io::InputError otherwise
 void check_plates(const io::TomlTable& table, const SurrogateParameters& parameters) {
-  for (const std::size_t size_class : {inside_plate, plate_edge}) {
+  for (const std::size_t size_class : {inside_plate, plate_edge, beside_arm}) {
     for (const double end : law_range(parameters, wall_class_of(size_class))) {
       if (1.0 + parameters.extension_of(size_class).value(end) > 0.0) continue;
       throw table.error("plate_stretch_ratio", "the rest length of " + law_class_text(size_class) + " is not positive at " +
@@ -212,6 +212,10 @@ void describe(io::StudyVisitor& visitor, SurrogateParameters& parameters) {
                     parameters.bulge_peak_ratio, io::at_least(1.0));
     visitor.number({"neck_ratio", "How far a plate stands out where a limb leaves it, divided by its crown."},
                    parameters.neck_ratio, io::positive());
+    visitor.number({"plate_arm_ratio", "How far a face of a plate bulges beside an arm, divided by its bulge without the arm."},
+                   parameters.plate_arm_ratio, io::positive());
+    visitor.number({"wide_volume_ratio", "Volume below a face of a plate or a block, divided by its mean bulge times its area."},
+                   parameters.wide_volume_ratio, io::positive());
   });
   visitor.table({"ground", "Contact with the ground."}, [&] {
     visitor.number({"stiffness_N_per_m", "Contact stiffness of a voxel that stands on all feet of a wall.", "500"},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -49,30 +50,49 @@ inline std::string wall_class_text(std::size_t wall_class) {
 template <class Value>
 using ByWallClass = std::array<Value, wall_class_count>;
 
-/// Which law a beam or a face follows: that of its wall class, or bulge class, but in plates. The walls of a plate become arcs.
-/// So its edges are drawn in, and its faces rise further than those of a block.
+/// Which law a half of a voxel along an axis, or a face, follows: that of its wall class, or bulge class, but in plates. The
+/// walls of a plate become arcs. So its edges are drawn in, and its faces rise further than those of a block.
 ///
-/// Beams: `inside_plate` is walls::limb with open squares of four voxels beside the axis on both sides. `plate_edge` is
-/// walls::three with such a square on its open side. Where limbs leave the plate beside the axis, on both sides or at an edge on
-/// its one side, they hold it, and it has its wall class. Faces: the middle of a plate is inside it along both axes, its side
-/// along one of them, and its corner has edges along both.
-inline constexpr std::size_t inside_plate = wall_class_count;
-inline constexpr std::size_t plate_edge = wall_class_count + 1;
-inline constexpr std::size_t middle_of_plate = wall_class_count + 2;  ///< of walls::none
-inline constexpr std::size_t side_of_plate = wall_class_count + 3;    ///< of walls::one
-inline constexpr std::size_t corner_of_plate = wall_class_count + 4;  ///< of walls::corner
-inline constexpr std::size_t law_class_count = wall_class_count + 5;
+/// Halves: `inside_plate` is walls::limb with an open square of four voxels on both sides of the half, `beside_arm` with one on
+/// one side only, as where an arm leaves the plate or the plate has a notch. `plate_edge` is walls::three with a square on its
+/// open side, `inner_edge` is walls::bend with squares on both, where two plates meet. Where limbs leave the plate in all these
+/// squares beside the voxel, they hold it, and the half has its wall class. A plate that goes on round an edge holds nothing.
+///
+/// Faces: the middle of a plate is in it along both axes, and so is its corner; its side at least along the axis on which the
+/// plate goes on to both sides. Faces beside an edge round which the plate goes on are in it, too. An arm, which leaves the plate
+/// one voxel wide, lets the face beside it rise further.
+enum LawClass : std::uint8_t {
+  inside_plate = wall_class_count,
+  plate_edge,
+  beside_arm,
+  inner_edge,
+  middle_of_plate,  ///< of walls::none
+  side_of_plate,    ///< of walls::one
+  side_with_arm,
+  corner_of_plate,  ///< of walls::corner
+  corner_with_arm,
+  corner_with_two_arms
+};
+inline constexpr std::size_t law_class_count = corner_with_two_arms + 1;
 /// Returns the wall class of a law class.
 constexpr std::size_t wall_class_of(std::size_t law_class) {
-  constexpr std::array<std::size_t, law_class_count - wall_class_count> in_plates{walls::limb, walls::three, walls::none,
-                                                                                  walls::one, walls::corner};
+  constexpr std::array<std::size_t, law_class_count - wall_class_count> in_plates{
+      walls::limb, walls::three, walls::limb,   walls::bend,   walls::none,
+      walls::one,  walls::one,   walls::corner, walls::corner, walls::corner};
   return law_class < wall_class_count ? law_class : in_plates[law_class - wall_class_count];
 }
 /// Returns a law class as messages name it.
 inline std::string law_class_text(std::size_t law_class) {
-  constexpr std::array<std::string_view, law_class_count - wall_class_count> in_plates{
-      "inside a plate", "at the edge of a plate", "in the middle of a plate", "at the side of a plate",
-      "in the corner of a plate"};
+  constexpr std::array<std::string_view, law_class_count - wall_class_count> in_plates{"inside a plate",
+                                                                                       "at the edge of a plate",
+                                                                                       "in a plate beside an arm or a notch",
+                                                                                       "at the inner edge of two plates",
+                                                                                       "in the middle of a plate",
+                                                                                       "at the side of a plate",
+                                                                                       "at the side of a plate with an arm",
+                                                                                       "in the corner of a plate",
+                                                                                       "in the corner of a plate with an arm",
+                                                                                       "in the corner of a plate with two arms"};
   return law_class < wall_class_count ? wall_class_text(law_class)
                                       : "voxels " + std::string(in_plates[law_class - wall_class_count]);
 }
@@ -179,14 +199,19 @@ struct SurrogateParameters {
   /// Turn of a beam at an elbow, rad, by the strain that pressure gives the beam; >= 0, see elbow_turns.
   double elbow_ratio = 0.0;
   double lateral_coupling = 0.0;  ///< c, 0 <= c < 1; a wide body contracts by c / (1 + c) of its strain
-  /// Inside a plate the law of extension has a slope r times as steep, and loses the draw-in d; its faces rise by g (see
-  /// PressureLaw). At the edges of a plate, whose side walls resist, a share e of this is left: r is 1 + e (r - 1), d is e d. The
-  /// side of a plate rises by g (1 + e) / 2, its corner by e g.
+  /// Inside a plate, and at the inner edge of two, the law of extension has a slope r times as steep, and loses the draw-in d;
+  /// the faces of a plate rise by g (see PressureLaw). At the edges of a plate, whose side walls resist, and beside arms a share
+  /// e of this is left: r is 1 + e (r - 1), d is e d. The side of a plate rises by sqrt(e) g, its corner by e g. With each arm a
+  /// face bulges a times as far.
   double plate_stretch_ratio = 1.0;   ///< r > 0
   double plate_draw_in = 0.0;         ///< 0 <= d < 1
   double plate_rise = 0.0;            ///< g >= 0, mean over a face, as a fraction of L
   double plate_draw_in_per_Pa = 0.0;  ///< h >= 0, of both
   double plate_edge_share = 0.0;      ///< 0 <= e <= 1
+  double plate_arm_ratio = 1.0;       ///< a > 0
+  /// Volume below the bulge of a face of a plate or a block, by the mean of the bulge times the area of the face; > 0. More than
+  /// 1, because a wide wall is stretched most where it is highest.
+  double wide_volume_ratio = 1.0;
   ByWallClass<PressureLaw> extension{};
   ByWallClass<PressureLaw> bulge{};
   ByWallClass<double> bulge_peak_ratio = all_classes(1.0);  ///< largest bulge of a face by its mean, >= 1
@@ -201,8 +226,8 @@ struct SurrogateParameters {
   /// Returns the law of extension of the beams of a law class.
   [[nodiscard]] PressureLaw extension_of(std::size_t law_class) const {
     PressureLaw of_class = extension[wall_class_of(law_class)];
-    if (law_class != inside_plate && law_class != plate_edge) return of_class;
-    const double share = law_class == inside_plate ? 1.0 : plate_edge_share;
+    if (law_class < inside_plate || law_class > inner_edge) return of_class;
+    const double share = law_class == inside_plate || law_class == inner_edge ? 1.0 : plate_edge_share;
     of_class.slope_per_Pa *= 1.0 + share * (plate_stretch_ratio - 1.0);
     of_class.arc = -share * plate_draw_in;
     of_class.arc_per_Pa = plate_draw_in_per_Pa;
@@ -212,10 +237,18 @@ struct SurrogateParameters {
   [[nodiscard]] PressureLaw bulge_of(std::size_t law_class) const {
     PressureLaw of_class = bulge[wall_class_of(law_class)];
     if (law_class < middle_of_plate) return of_class;
-    const double at_side = law_class == side_of_plate ? 0.5 * (1.0 + plate_edge_share) : plate_edge_share;
-    of_class.arc = plate_rise * (law_class == middle_of_plate ? 1.0 : at_side);
+    const double at_side = law_class == middle_of_plate ? 1.0 : std::sqrt(plate_edge_share);
+    of_class.arc = plate_rise * (law_class < corner_of_plate ? at_side : at_side * at_side);
     of_class.arc_per_Pa = plate_draw_in_per_Pa;
+    const bool has_arm = law_class == side_with_arm || law_class >= corner_with_arm;
+    const double widened = has_arm ? plate_arm_ratio * (law_class == corner_with_two_arms ? plate_arm_ratio : 1.0) : 1.0;
+    of_class.slope_per_Pa *= widened;
+    of_class.arc *= widened;
     return of_class;
+  }
+  /// Returns the volume below the bulge of a face of a law class, by the mean of the bulge times the area of the face.
+  [[nodiscard]] double volume_ratio_of(std::size_t law_class) const {
+    return wall_class_of(law_class) <= walls::corner ? wide_volume_ratio : 1.0;
   }
   /// Returns the largest bulge of a face of a law class, by its mean.
   [[nodiscard]] double bulge_peak_ratio_of(std::size_t law_class) const { return bulge_peak_ratio[wall_class_of(law_class)]; }

@@ -56,7 +56,7 @@ double BodyShape::half_length(std::size_t voxel, Side side) const {
   for (std::size_t other = 0; other < 6; ++other) {
     if (other / 2 != axis && beams[other]) across += 0.5 * axial_strain(*beams[other]);
   }
-  return body_->half_length(*sizes_, voxel, axis) * (1.0 - body_->parameters.lateral_coupling * across);
+  return body_->half_length(*sizes_, voxel, static_cast<std::size_t>(side)) * (1.0 - body_->parameters.lateral_coupling * across);
 }
 
 double BodyShape::bulge(std::size_t voxel, Side side) const {
@@ -95,6 +95,20 @@ Vector3<double> BodyShape::rim_of_top(std::size_t voxel, const std::array<int, 2
   return pose.position + rotate(matrix(pose.orientation), Vector3<double>{out(0), out(1), half_length(voxel, Side::z_max)});
 }
 
+double BodyShape::bulge_factor_of_top(std::size_t voxel, const std::array<int, 2>& towards) const {
+  const std::size_t law_class = body_->voxels.bulge_class[voxel][2];
+  double factor = body_->parameters.bulge_peak_ratio_of(law_class);
+  if (wall_class_of(law_class) != walls::corner) return factor;
+  // The crown of a square lies at its middle, at the inner corner of this face. Under pressure the wall is about a parabola
+  // between the walls beside it.
+  const double edge_m = body_->edge_m;
+  const double wall_m = std::min(body_->parameters.wall_thickness_m, 0.5 * edge_m);
+  const double share =
+      (0.5 * edge_m - wall_m) / (2.0 * (edge_m - wall_m));  // of the span between them, at the middle of the face
+  for (const int direction : towards) factor *= direction == 0 ? 4.0 * share * (1.0 - share) : 1.0;
+  return factor;
+}
+
 Vector3<double> BodyShape::middle_of_top() const {
   const meshes::BodyTop top = meshes::top_of(cells_of(*body_));
   bool is_rim = false;
@@ -105,8 +119,7 @@ Vector3<double> BodyShape::middle_of_top() const {
     if (is_rim && !top.is_open) {
       sum = sum + rim_of_top(voxel, top.towards[n]);
     } else {
-      const double peak_ratio = body_->parameters.bulge_peak_ratio_of(body_->voxels.bulge_class[voxel][2]);
-      sum = sum + face(voxel, Side::z_max, top.is_open ? 0.0 : peak_ratio);
+      sum = sum + face(voxel, Side::z_max, top.is_open ? 0.0 : bulge_factor_of_top(voxel, top.towards[n]));
     }
   }
   return (1.0 / static_cast<double>(top.cells.size())) * sum;
@@ -194,8 +207,9 @@ double BodyShape::voxel_volume(std::size_t voxel) const {
   std::array<double, 3> length{};
   std::array<double, 3> bulges{};
   for (const Side side : meshes::all_sides) {
-    length[meshes::axis_of(side)] += half_length(voxel, side);
-    bulges[meshes::axis_of(side)] += bulge(voxel, side);
+    const std::size_t axis = meshes::axis_of(side);
+    length[axis] += half_length(voxel, side);
+    bulges[axis] += body_->parameters.volume_ratio_of(body_->voxels.bulge_class[voxel][axis]) * bulge(voxel, side);
   }
   return length[0] * length[1] * length[2] + bulges[0] * length[1] * length[2] + length[0] * bulges[1] * length[2] +
          length[0] * length[1] * bulges[2];

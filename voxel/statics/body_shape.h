@@ -40,9 +40,9 @@ class BodyShape {
   [[nodiscard]] double extent(std::size_t axis) const;
 
   /// Height of the middle of the top above the mean of the bottom faces, m. A wall stands out there by bulge_peak_ratio times its
-  /// mean. But where a wall across it ends, as in the corner of an L or where modules meet, it is the height of this rim. If no
-  /// voxel lies in the middle of the top layer, it is the height of the nearest voxels without bulge, because the rim of a wall
-  /// beside them does not move.
+  /// mean, and beside the crown of a square of voxels by what a parabola between the walls has there. But where a wall across it
+  /// ends, as in the corner of an L or where modules meet, it is the height of this rim. If no voxel lies in the middle of the
+  /// top layer, it is the height of the nearest voxels without bulge, because the rim of a wall beside them does not move.
   [[nodiscard]] double top_height() const;
 
   /// Extents of the body and height of its top, in the frame of the body, m.
@@ -72,11 +72,13 @@ class BodyShape {
   [[nodiscard]] double tip_height() const;
 
   /// Relative change of the volume of all chambers: volume / volume at rest - 1. The wall keeps its volume, so the chambers
-  /// change by as much as the voxels. The volume of a voxel is the product of its lengths, plus bulge times area of its walls.
+  /// change by as much as the voxels. The volume of a voxel is the product of its lengths, plus bulge times area of its walls, of
+  /// plates and blocks times wide_volume_ratio.
   [[nodiscard]] double chamber_volume_change() const;
 
  private:
   [[nodiscard]] Vector3<double> mean_of_faces(meshes::Side side) const;
+  [[nodiscard]] double bulge_factor_of_top(std::size_t voxel, const std::array<int, 2>& towards) const;
   [[nodiscard]] Vector3<double> middle_of_top() const;
   /// Whether a wall stands on a side of a voxel on which the middle of the top lies. @param towards see meshes::BodyTop
   [[nodiscard]] bool ends_at_wall(std::size_t voxel, const std::array<int, 2>& towards) const;

@@ -219,8 +219,7 @@ void ForceBalance::add_coupling(const StaticState& state, std::vector<NodeLoad>&
 std::vector<ForceBalance::PressedFoot> ForceBalance::pressed_feet(const StaticState& state, std::size_t voxel) const {
   if (feet_.empty()) return {};
   const HollowVoxels& voxels = body_->voxels;
-  const std::array<double, 3> half_lengths_m{body_->half_length(sizes_, voxel, 0), body_->half_length(sizes_, voxel, 1),
-                                             body_->half_length(sizes_, voxel, 2)};
+  const std::array<double, 3> half_lengths_m = body_->foot_half_lengths(sizes_, voxel);
   const auto bulge_of = [&](std::size_t other, std::size_t axis) {
     const double mean = body_->bulge(sizes_, other, axis);
     return WallBulge{.mean = mean, .peak = mean * body_->parameters.bulge_peak_ratio_of(voxels.bulge_class[other][axis])};

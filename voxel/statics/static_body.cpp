@@ -109,11 +109,7 @@ StaticBody::StaticBody(const SurrogateParameters& body_parameters, HollowVoxels 
       edge_m(parameters.voxel_edge_m()),
       openings(wall_openings(lattice, voxels, parameters.voxels_per_cell)),
       beam_at(lattice.voxel_count()) {
-  for (const auto* classes : {&voxels.size_class, &voxels.wall_class, &voxels.bulge_class}) {
-    for (const auto& of_voxel : *classes) {
-      for (const std::uint8_t c : of_voxel) has_class[c] = true;
-    }
-  }
+  has_class = law_classes_of(voxels);
   add_voxels(*this, cell_box(lattice));
   add_beams(*this);
   for (const Side side : plate_sides) add_plate(*this, side);
@@ -134,7 +130,7 @@ double StaticBody::rest_length(const DrivenSizes& sizes, const StaticBeam& beam)
     if (!is_voxel(node)) continue;
     const auto axis = static_cast<std::size_t>(beam.axis);
     const std::size_t side = 2 * axis + (node == beam.lower ? 1 : 0);
-    length += half_length(sizes, node, axis) + edge_m * crown_sum(sizes, node, openings[node][side].lift);
+    length += half_length(sizes, node, side) + edge_m * crown_sum(sizes, node, openings[node][side].lift);
   }
   return length;
 }
@@ -143,7 +139,8 @@ AcrossBeam<double> StaticBody::half_kink(const DrivenSizes& sizes, const StaticB
   AcrossBeam<double> half{};
   if (beam.elbow != AcrossBeam<double>{}) {  // of a beam between two voxels
     const auto axis = static_cast<std::size_t>(beam.axis);
-    const double strain = (half_length(sizes, beam.lower, axis) + half_length(sizes, beam.upper, axis)) / edge_m - 1.0;
+    const double strain =
+        (half_length(sizes, beam.lower, 2 * axis + 1) + half_length(sizes, beam.upper, 2 * axis)) / edge_m - 1.0;
     for (std::size_t k = 0; k < half.size(); ++k) half[k] = 0.5 * parameters.elbow_ratio * strain * beam.elbow[k];
   }
   for (const std::size_t node : {beam.lower, beam.upper}) {

@@ -73,9 +73,15 @@ struct StaticBody {
   /// Voxels whose face on a side lies in that plane of the bounding box.
   [[nodiscard]] std::vector<std::size_t> end_voxels(meshes::Side side) const;
 
-  /// Half length of a voxel along an axis, without lateral coupling, m.
-  [[nodiscard]] double half_length(const DrivenSizes& sizes, std::size_t voxel, std::size_t axis) const {
-    return sizes.half_m[voxels.chamber[voxel]][voxels.size_class[voxel][axis]];
+  /// Length of a voxel from its centre to a side (-x, +x, -y, ...), without lateral coupling, m.
+  [[nodiscard]] double half_length(const DrivenSizes& sizes, std::size_t voxel, std::size_t side) const {
+    return sizes.half_m[voxels.chamber[voxel]][voxels.half_class[voxel][side]];
+  }
+  /// Half lengths of a voxel along x, y, z for its feet, m.
+  [[nodiscard]] std::array<double, 3> foot_half_lengths(const DrivenSizes& sizes, std::size_t voxel) const {
+    const auto& half_m = sizes.half_m[voxels.chamber[voxel]];
+    const auto& of_axes = voxels.size_class[voxel];
+    return {half_m[of_axes[0]], half_m[of_axes[1]], half_m[of_axes[2]]};
   }
   /// Rest length of a beam, without lateral coupling, m.
   [[nodiscard]] double rest_length(const DrivenSizes& sizes, const StaticBeam& beam) const;

@@ -34,6 +34,8 @@ bool is_size(Quantity quantity) {
     case Quantity::plate_rise:
     case Quantity::plate_arc:
     case Quantity::plate_edge_share:
+    case Quantity::plate_arm_ratio:
+    case Quantity::wide_volume_ratio:
       return true;
     default:
       return false;

@@ -200,16 +200,20 @@ TEST(Calibration, FindsHowPlatesRiseAndDrawTheirEdgesIn) {
   truth.plate_rise = 0.03;
   truth.plate_draw_in_per_Pa = 7e-4;  // half of it within the pressures
   truth.plate_edge_share = 0.4;
+  truth.plate_arm_ratio = 1.25;
+  truth.wide_volume_ratio = 1.1;
   const Calibration found =
-      fitted_with(CalibrationDetail::plates, inflations(truth, {"111000000000", "111111000000", "110110000000"}));
+      fitted_with(CalibrationDetail::plates, inflations(truth, {"111000000000", "111111000000", "110110000000", "111110000000"}));
   ASSERT_TRUE(found.details().contains(CalibrationDetail::plates));
   EXPECT_LT(found.fit().chi2, 1e-3);
-  EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 5);
+  EXPECT_EQ(found.fit().parameter_count, found.steps[0].fit.parameter_count + 7);
   EXPECT_NEAR(value_named(found.fit(), "plate_stretch_ratio").value, 6.0, 0.06);
   EXPECT_NEAR(value_named(found.fit(), "plate_draw_in").value, 0.06, 0.001);
   EXPECT_NEAR(value_named(found.fit(), "plate_rise").value, 0.03, 0.0005);
   EXPECT_NEAR(value_named(found.fit(), "plate_draw_in_per_Pa").value, 7e-4, 7e-6);
   EXPECT_NEAR(value_named(found.fit(), "plate_edge_share").value, 0.4, 0.01);
+  EXPECT_NEAR(value_named(found.fit(), "plate_arm_ratio").value, 1.25, 0.01);
+  EXPECT_NEAR(value_named(found.fit(), "wide_volume_ratio").value, 1.1, 0.01);
 }
 
 TEST(Calibration, TakesTheDetailThatIsNamed) {

@@ -57,6 +57,17 @@ TEST(CoveredPressures, OfTheBodiesOfTheFitAreTheirOwnUnlessOthersWentFurtherWith
   EXPECT_EQ(covered(meshes::bar(1), 2).highest_Pa, 26.0e3);
 }
 
+TEST(CoveredPressures, OfWideWallsAreNotThoseOfNarrowOnesThatAnArmLeaves) {
+  // Where an arm leaves a square, one wall is beside the cell, as at the side of a slab, and the wall is hardly wider than the
+  // square.
+  ValidityRange validity = validity_of_fit();
+  cover(validity, body_walls(Polycube::from_digits(3, 2, 1, "111110"), 1, ChamberLayout::single), -3.2e3, 19.0e3);
+  EXPECT_EQ(validity.lowest_pressure_Pa[gaps::one_cell][walls::one], -1.5e3);
+  EXPECT_EQ(validity.highest_pressure_Pa[walls::one], 15.6e3);
+  EXPECT_EQ(validity.lowest_pressure_Pa[gaps::one_cell][walls::corner], -3.2e3) << "of the other cells of the square";
+  EXPECT_EQ(validity.highest_pressure_Pa[walls::corner], 19.0e3);
+}
+
 TEST(CoveredPressures, OfAPlaneEndWhereItsMiddleWasNotFitted) {
   // The middle of a plane is wall on one side of a cell and wall on the other, none beside: no body of the fit has that, and
   // walls of 3 x 3 cells with 6 mm between them meet at -0.64 kPa. Under pressure they move apart, as those of the full cube.

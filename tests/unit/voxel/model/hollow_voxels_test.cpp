@@ -128,7 +128,10 @@ TEST(HollowVoxels, FollowTheLawsOfThePlateThatTheyArePartOf) {
                          Case{"middle of a bar", "111000000", 1, {walls::closed, limb, limb}, limb},
                          Case{"where a tee branches", "111010000", 1, {walls::three, limb, one}, walls::bend},
                          Case{"middle of a cross", "010111010", 2, {limb, limb, walls::none}, walls::bend},
-                         Case{"beside a square, on one side only", "110111000", 3, {plate_edge, limb, one}, corner},
+                         Case{"where an arm leaves a square", "110111000", 3, {walls::three, beside_arm, one}, corner_with_arm},
+                         Case{"where two arms leave it", "010111011", 2, {limb, limb, walls::none}, corner_with_two_arms},
+                         Case{"where an arm leaves a slab", "011111011", 3, {limb, beside_arm, walls::none}, side_with_arm},
+                         Case{"where two squares meet", "110111011", 3, {beside_arm, beside_arm, walls::none}, side_of_plate},
                          // Upper layers: the limbs of the lower one leave the plate.
                          Case{"between two legs", "101000000111111111", 3, {plate_edge, limb, one}, one},
                          Case{"beside one leg", "100000000111111111", 2, {plate_edge, inside_plate, one}, side_of_plate},
@@ -151,6 +154,27 @@ TEST(HollowVoxels, FollowTheLawsOfThePlateThatTheyArePartOf) {
   EXPECT_EQ(refined.size_class, refined.wall_class) << "no voxel of half a cell has both walls of a plate";
   const HollowVoxels modules = hollow_voxels(meshes::plane(2), options(1, 2));
   for (const auto& classes : modules.size_class) EXPECT_EQ(classes[0], plate_edge) << "each module is a plate of its own";
+}
+
+TEST(HollowVoxels, HaveHalvesThatFollowTheLawsOfThePlateOnTheirSide) {
+  constexpr std::size_t limb = walls::limb;
+  constexpr std::size_t three = walls::three;
+  struct Case {
+    const char* why;
+    const char* digits;  // of 3 x 3 x 1 cells
+    std::size_t voxel;
+    std::array<std::size_t, 4> halves;  // -x, +x, -y, +y
+  };
+  for (const Case& one_case :
+       {Case{"an arm leaves a slab towards -x", "011111011", 3, {limb, inside_plate, beside_arm, beside_arm}},
+        Case{"an arm leaves a square towards +x", "110111000", 3, {plate_edge, three, beside_arm, beside_arm}},
+        Case{"up to a wall as on the other side", "111111000", 1, {plate_edge, plate_edge, inside_plate, inside_plate}},
+        Case{"two squares meet", "110111011", 3, {beside_arm, beside_arm, beside_arm, beside_arm}}}) {
+    SCOPED_TRACE(one_case.why);
+    const HollowVoxels voxels = hollow_voxels(Polycube::from_digits(3, 3, 1, one_case.digits), options());
+    for (std::size_t side = 0; side < one_case.halves.size(); ++side)
+      EXPECT_EQ(law_class_text(voxels.half_class[one_case.voxel][side]), law_class_text(one_case.halves[side])) << side;
+  }
 }
 
 TEST(HollowVoxels, BulgeByTheirWallsWhereNothingButSquaresAndLimbsMeet) {

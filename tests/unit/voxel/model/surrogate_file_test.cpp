@@ -43,6 +43,8 @@ SurrogateParameters example() {
   p.plate_rise = 0.07;
   p.plate_draw_in_per_Pa = 4e-4 / 3.0;
   p.plate_edge_share = 0.12;
+  p.plate_arm_ratio = 1.3;
+  p.wide_volume_ratio = 1.09;
   p.ground_stiffness_N_per_m = 512.0 / 3.0;
   p.bond_damping_ratio = 0.2;
   p.damping_measured = true;
@@ -160,6 +162,8 @@ TEST_F(SurrogateFile, NamesWhatIsWrong) {
   expect("plate_rise = 0.07", "plate_rise = -0.07", "must be >= 0");
   expect("plate_draw_in_per_Pa = ", "plate_draw_in_per_Pa = -", "must be >= 0");
   expect("plate_edge_share = 0.12", "plate_edge_share = 1.1", "must be in [0, 1]");
+  expect("plate_arm_ratio = 1.3", "plate_arm_ratio = 0", "must be > 0");
+  expect("wide_volume_ratio = 1.09", "wide_volume_ratio = -1", "must be > 0");
   expect("plate_stretch_ratio = 3.3", "plate_stretch_ratio = 1e4", "the rest length of voxels inside a plate is not positive at");
   expect("axial_Pa = [", "axial_Pa = [1, ", "must be 7 numbers, not 8");
   expect("highest_pressure_Pa = [6000", "highest_pressure_Pa = [1e6", "has its pole within the range of validity");
