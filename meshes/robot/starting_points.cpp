@@ -40,7 +40,7 @@ silicone = "dragon_skin_10"
 chambers = "per-phase"
 [drive]
 mode = "antiphase"
-pressure_Pa = [0, 4000]
+pressure_Pa = [0, 5000]
 )"},
     StartingPoint{"finger",
                   "a finger: a bar of nine cells with bellows on top, whose end bends 14 mm sideways at 12 kPa, of which a "

@@ -189,7 +189,7 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
   constexpr double joint_factor = 20.0;
   constexpr double largest_peak_ratio = 10.0;
   constexpr double largest_coupling = 0.95;
-  constexpr double neck_factor = 10.0;
+  constexpr double face_factor = 10.0;
   constexpr double largest_elbow_ratio = 20.0;
   constexpr double largest_draw_in = 0.5;
   constexpr double largest_rise = 0.5;
@@ -230,15 +230,15 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
           {Quantity::joint_bending, about(1.0, joint_factor)},
           {Quantity::joint_torsion, about(1.0, joint_factor)},
           {Quantity::lateral_coupling, {0.0, largest_coupling}},
-          {Quantity::bulge_neck_ratio, about(1.0, neck_factor)},
+          {Quantity::bulge_neck_ratio, about(1.0, face_factor)},
           {Quantity::elbow_ratio, {0.0, largest_elbow_ratio}},
           {Quantity::plate_stretch_ratio, about(1.0, ratio_factor)},
           {Quantity::plate_draw_in, {0.0, largest_draw_in}},
           {Quantity::plate_rise, {0.0, largest_rise}},
           {Quantity::plate_arc, about(1.0 / pressure_Pa, fading_factor)},
           {Quantity::plate_edge_share, {0.0, 1.0}},
-          {Quantity::plate_arm_ratio, about(1.0, neck_factor)},
-          {Quantity::wide_volume_ratio, about(1.0, neck_factor)}};
+          {Quantity::plate_arm_ratio, about(1.0, face_factor)},
+          {Quantity::wide_volume_ratio, about(1.0, face_factor)}};
 }
 
 }  // namespace menger::voxel

@@ -93,8 +93,8 @@ double value_in(const SurrogateParameters& parameters, Quantity quantity, std::s
 /// - Softening: 1 - q |p| stays positive at all pressures of the load cases, so that a PressureLaw has no pole there.
 ///   Stiffening (q < 0) is bounded too: q |p| >= -5.
 /// - Fading and draw-in: a factor of 100 about 1 / pressure. Stretch of plates: as ratios of stiffnesses.
-///   Ratios of arms and volumes: a factor of 10 about 1. Share of fading and of
-///   edges of plates, draw-in, peak ratio, neck ratio, elbow ratio and lateral coupling: fixed intervals.
+/// - Ratios of necks, arms and volumes: a factor of 10 about 1.
+/// - Share of fading and of edges of plates, draw-in, peak ratio, elbow ratio and lateral coupling: fixed intervals.
 ///
 /// @param rough parameters that are known roughly
 /// @param lowest_pressure_Pa, highest_pressure_Pa the range of pressures in the load cases

@@ -125,11 +125,10 @@ HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptio
     voxels.walled.push_back(walled_sides(body, cell, part, parts));
     voxels.shared.push_back(shared_sides(body, cell, voxels.walled.back()));
     const VoxelClasses classes = classes_of_voxel({body, cell, parts}, voxel);
-    const std::array<std::uint8_t, 6>& half = classes.half;
     voxels.wall_class.push_back(classes.wall);
     voxels.bulge_class.push_back(classes.bulge);
-    voxels.half_class.push_back(half);
-    voxels.size_class.push_back({std::min(half[0], half[1]), std::min(half[2], half[3]), std::min(half[4], half[5])});
+    voxels.half_class.push_back(classes.half);
+    voxels.size_class.push_back(classes.size);
     voxels.chamber.push_back(body.region_of(cell).value());
     const WallShape wall = wall_shape(body, cell, slice[static_cast<std::size_t>(part[0])],
                                       slice[static_cast<std::size_t>(part[1])], slice[static_cast<std::size_t>(part[2])]);

@@ -32,7 +32,7 @@ struct HollowVoxels {
   std::vector<std::array<std::uint8_t, 3>> wall_class;  ///< per axis, see wall_class_names
   /// Per side: the law class of the half beam there, or of the length up to the wall there.
   std::vector<std::array<std::uint8_t, 6>> half_class;
-  /// Per axis: the law class of both halves, or the wall class where only one of them lies in a plate. For feet and contacts.
+  /// Per axis: the law class of both halves, by which feet and contacts follow (VoxelClasses::size).
   std::vector<std::array<std::uint8_t, 3>> size_class;
   /// Per axis: the law class by which the faces of the voxel across the axis bulge.
   std::vector<std::array<std::uint8_t, 3>> bulge_class;

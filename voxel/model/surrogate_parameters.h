@@ -13,8 +13,8 @@
 
 namespace menger::voxel {
 
-/// The wall class of a voxel along an axis: which of its four sides parallel to the axis carry a wall. Its half beam along the
-/// axis has this class.
+/// The wall class of a voxel along an axis: which of its four sides parallel to the axis carry a wall. The
+/// stiffness of its half beams along the axis follows from it.
 ///
 /// Two walls make three classes. Two walls that face each other are a limb of a body (`limb`). Two walls side by side are the
 /// corner of a wide body (`corner`) if the voxel diagonally between the two open sides belongs to the same chamber. Otherwise
@@ -56,11 +56,15 @@ using ByWallClass = std::array<Value, wall_class_count>;
 /// Halves: `inside_plate` is walls::limb with an open square of four voxels on both sides of the half, `beside_arm` with one on
 /// one side only, as where an arm leaves the plate or the plate has a notch. `plate_edge` is walls::three with a square on its
 /// open side, `inner_edge` is walls::bend with squares on both, where two plates meet. Where limbs leave the plate in all these
-/// squares beside the voxel, they hold it, and the half has its wall class. A plate that goes on round an edge holds nothing.
+/// squares beside the voxel, they hold it, and the half has its wall class. A plate that does not end there, but goes on round an
+/// edge, does not hold it.
 ///
-/// Faces: the middle of a plate is in it along both axes, and so is its corner; its side at least along the axis on which the
-/// plate goes on to both sides. Faces beside an edge round which the plate goes on are in it, too. An arm, which leaves the plate
-/// one voxel wide, lets the face beside it rise further.
+/// Faces, across each axis of a voxel: `middle_of_plate` if both axes along the face have halves in the plate, `side_of_plate` if
+/// the axis does along which the plate goes on to both sides (so also where two squares meet at a corner), `corner_of_plate` if
+/// both axes do. Faces of squares beside an edge round which a plate goes on are in it, too. An arm, which leaves the plate one
+/// voxel wide, lets the face beside it rise further.
+///
+/// The order counts: halves come before faces, and faces go from the middle outwards.
 enum LawClass : std::uint8_t {
   inside_plate = wall_class_count,
   plate_edge,

@@ -86,6 +86,12 @@ std::uint8_t half_class(const ChamberVoxels& chamber, const CellIndex& voxel, Si
   return wall_class;
 }
 
+std::uint8_t class_of_both(std::uint8_t lower, std::uint8_t upper, std::uint8_t wall_class) {
+  if (lower == upper) return lower;
+  if (std::min(lower, upper) < inside_plate) return wall_class;
+  return beside_arm;  // the other one is inside_plate
+}
+
 /// Whether the face of a voxel across an axis belongs to a plate that goes on round an edge beside it: at least half of the
 /// voxels of its squares lie between walls, and at the others a plate leads away.
 bool is_beside_edge(const ChamberVoxels& chamber, const CellIndex& voxel, std::size_t axis) {
@@ -158,6 +164,8 @@ VoxelClasses classes_of_voxel(const ChamberVoxels& chamber, const CellIndex& vox
       classes.half[2 * axis + end] = is_open ? half_class(chamber, voxel, side_at(side), classes.wall[axis]) : classes.wall[axis];
     }
   }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    classes.size[axis] = class_of_both(classes.half[2 * axis], classes.half[2 * axis + 1], classes.wall[axis]);
   for (std::size_t axis = 0; axis < 3; ++axis) classes.bulge[axis] = face_class(chamber, voxel, axis, classes);
   return classes;
 }

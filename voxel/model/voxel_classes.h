@@ -31,8 +31,11 @@ class ChamberVoxels {
 
 /// What decides how a voxel of a hollow body lengthens and bulges, see WallClass and LawClass.
 struct VoxelClasses {
-  std::array<std::uint8_t, 3> wall{};   ///< wall class, per axis
-  std::array<std::uint8_t, 6> half{};   ///< law class of the half on each side (-x, +x, -y, ...)
+  std::array<std::uint8_t, 3> wall{};  ///< wall class, per axis
+  std::array<std::uint8_t, 6> half{};  ///< law class of the half on each side (-x, +x, -y, ...)
+  /// Law class of both halves along each axis. Where only one of them lies in a plate it is the wall class; where both do, with
+  /// different laws, that of the half that is drawn in less.
+  std::array<std::uint8_t, 3> size{};
   std::array<std::uint8_t, 3> bulge{};  ///< law class of the faces across each axis
 };
 

@@ -7,6 +7,7 @@
 
 #include "meshes/load_cases/body_feet.h"
 #include "meshes/load_cases/body_top.h"
+#include "voxel/model/wall_squares.h"
 #include "voxel/statics/equilibrium.h"
 
 namespace menger::voxel {
@@ -97,16 +98,25 @@ Vector3<double> BodyShape::rim_of_top(std::size_t voxel, const std::array<int, 2
 
 double BodyShape::bulge_factor_of_top(std::size_t voxel, const std::array<int, 2>& towards) const {
   const std::size_t law_class = body_->voxels.bulge_class[voxel][2];
-  double factor = body_->parameters.bulge_peak_ratio_of(law_class);
-  if (wall_class_of(law_class) != walls::corner) return factor;
+  const double crown = body_->parameters.bulge_peak_ratio_of(law_class);
+  if (wall_class_of(law_class) != walls::corner) return crown;
   // The crown of a square lies at its middle, at the inner corner of this face. Under pressure the wall is about a parabola
   // between the walls beside it.
   const double edge_m = body_->edge_m;
   const double wall_m = std::min(body_->parameters.wall_thickness_m, 0.5 * edge_m);
   const double share =
       (0.5 * edge_m - wall_m) / (2.0 * (edge_m - wall_m));  // of the span between them, at the middle of the face
-  for (const int direction : towards) factor *= direction == 0 ? 4.0 * share * (1.0 - share) : 1.0;
-  return factor;
+  const double halfway = 4.0 * share * (1.0 - share);
+  for (const int inner_x : {-1, 1}) {
+    for (const int inner_y : {-1, 1}) {
+      const auto beside = static_cast<std::size_t>(side_of(0, inner_x > 0));
+      const auto behind = static_cast<std::size_t>(side_of(1, inner_y > 0));
+      if (!plate_beside(body_->lattice, body_->voxels, voxel, static_cast<std::size_t>(Side::z_max), beside, behind)) continue;
+      if (towards[0] == -inner_x || towards[1] == -inner_y) return 1.0;  // where an arm leaves the square: about the mean
+      return crown * (towards[0] == 0 ? halfway : 1.0) * (towards[1] == 0 ? halfway : 1.0);
+    }
+  }
+  return crown;
 }
 
 Vector3<double> BodyShape::middle_of_top() const {

@@ -40,7 +40,8 @@ class BodyShape {
   [[nodiscard]] double extent(std::size_t axis) const;
 
   /// Height of the middle of the top above the mean of the bottom faces, m. A wall stands out there by bulge_peak_ratio times its
-  /// mean, and beside the crown of a square of voxels by what a parabola between the walls has there. But where a wall across it
+  /// mean, beside the crown of a square of voxels by what a parabola between the walls has there, and at the end of a square from
+  /// which an arm leaves by its mean. But where a wall across it
   /// ends, as in the corner of an L or where modules meet, it is the height of this rim. If no voxel lies in the middle of the
   /// top layer, it is the height of the nearest voxels without bulge, because the rim of a wall beside them does not move.
   [[nodiscard]] double top_height() const;

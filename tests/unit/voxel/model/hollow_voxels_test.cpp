@@ -156,6 +156,79 @@ TEST(HollowVoxels, FollowTheLawsOfThePlateThatTheyArePartOf) {
   for (const auto& classes : modules.size_class) EXPECT_EQ(classes[0], plate_edge) << "each module is a plate of its own";
 }
 
+TEST(HollowVoxels, AreOfPlatesThatGoOnRoundAnEdge) {
+  // Two plates of 2 x 2 cells at a right angle: the lower layer is one, the row y = 0 the other.
+  const HollowVoxels gutter = hollow_voxels(Polycube::from_digits(2, 2, 2, "11111100"), options());
+  const auto half_along_x = [&](std::size_t voxel) { return law_class_text(gutter.half_class[voxel][0]); };
+  EXPECT_EQ(half_along_x(0), law_class_text(inner_edge));
+  EXPECT_EQ(half_along_x(2), law_class_text(plate_edge)) << "of the lower plate, which the other one does not hold";
+  EXPECT_EQ(half_along_x(4), law_class_text(plate_edge)) << "of the upright one";
+  EXPECT_EQ(law_class_text(gutter.bulge_class[0][2]), law_class_text(corner_of_plate)) << "below the edge";
+  EXPECT_EQ(law_class_text(gutter.bulge_class[2][2]), law_class_text(corner_of_plate));
+  // A block of 2 x 2 x 2 cells has no plate, and neither has a tube with an elbow.
+  for (const char* const digits : {"11111111", "11101000"}) {
+    const HollowVoxels others = hollow_voxels(Polycube::from_digits(2, 2, 2, digits), options());
+    for (const auto& of_voxel : others.half_class)
+      for (const std::uint8_t c : of_voxel) EXPECT_LT(c, wall_class_count) << digits;
+    for (const auto& of_voxel : others.bulge_class)
+      for (const std::uint8_t c : of_voxel) EXPECT_LT(c, wall_class_count) << digits;
+  }
+}
+
+TEST(HollowVoxels, HaveTheSameClassesInMirrorImagesAndTurned) {
+  // A step with an arm and a notch: all kinds of halves and faces.
+  const std::array<int, 3> size{3, 3, 2};
+  const Polycube body = Polycube::from_digits(3, 3, 2, "111111011111000000");
+  const HollowVoxels found = hollow_voxels(body, options());
+  const std::vector<meshes::CellIndex> cells = found.body.occupied();
+  constexpr std::array<std::array<std::size_t, 3>, 3> orders{{{0, 1, 2}, {1, 2, 0}, {1, 0, 2}}};
+  for (const auto& order : orders) {
+    for (const bool mirrored : {false, true}) {
+      // Axis a of the image is axis order[a] of the body, and its first axis may run backwards.
+      const auto image_of = [&](const meshes::CellIndex& cell) {
+        const std::array<int, 3> place{cell.x, cell.y, cell.z};
+        std::array<int, 3> image{place[order[0]], place[order[1]], place[order[2]]};
+        if (mirrored) image[0] = size[order[0]] - 1 - image[0];
+        return meshes::CellIndex{image[0], image[1], image[2]};
+      };
+      Polycube other(size[order[0]], size[order[1]], size[order[2]]);
+      for (const meshes::CellIndex& cell : cells) other.set(image_of(cell), body.at(cell));
+      const HollowVoxels image = hollow_voxels(other, options());
+      const std::vector<meshes::CellIndex> images = image.body.occupied();
+      for (std::size_t v = 0; v < cells.size(); ++v) {
+        const auto w = static_cast<std::size_t>(std::ranges::find(images, image_of(cells[v])) - images.begin());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          EXPECT_EQ(image.size_class[w][axis], found.size_class[v][order[axis]]);
+          EXPECT_EQ(image.bulge_class[w][axis], found.bulge_class[v][order[axis]]);
+          for (std::size_t end = 0; end < 2; ++end) {
+            const std::size_t of_body = mirrored && axis == 0 ? 1 - end : end;
+            EXPECT_EQ(image.half_class[w][2 * axis + end], found.half_class[v][2 * order[axis] + of_body]);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(HollowVoxels, HaveHalvesOfTheirChamberAndOfTheirModule) {
+  // A slab of two chambers of 1 x 2 and 2 x 2 cells: the plate ends at the wall between them.
+  const HollowVoxels chambers = hollow_voxels(
+      Polycube::from_digits(3, 2, 1, "211211"),
+      {.cell_edge_m = 0.01, .wall_thickness_m = 0.002, .voxels_per_cell = 1, .chambers = meshes::ChamberLayout::per_phase});
+  EXPECT_EQ(law_class_text(chambers.half_class[0][3]), law_class_text(walls::closed)) << "a bar of two cells";
+  EXPECT_EQ(law_class_text(chambers.half_class[1][3]), law_class_text(plate_edge));
+  const HollowVoxels modules = hollow_voxels(meshes::plane(2), options(1, 2));
+  for (const auto& of_voxel : modules.half_class) EXPECT_EQ(of_voxel[0], plate_edge);
+}
+
+TEST(HollowVoxels, HaveTheSizeOfTheHalfThatIsDrawnInLess) {
+  const HollowVoxels notched = hollow_voxels(Polycube::from_digits(3, 3, 1, "111111110"), options());
+  const std::size_t middle = 4;
+  EXPECT_EQ(law_class_text(notched.half_class[middle][0]), law_class_text(inside_plate));
+  EXPECT_EQ(law_class_text(notched.half_class[middle][1]), law_class_text(beside_arm));
+  EXPECT_EQ(law_class_text(notched.size_class[middle][0]), law_class_text(beside_arm));
+}
+
 TEST(HollowVoxels, HaveHalvesThatFollowTheLawsOfThePlateOnTheirSide) {
   constexpr std::size_t limb = walls::limb;
   constexpr std::size_t three = walls::three;
@@ -178,7 +251,7 @@ TEST(HollowVoxels, HaveHalvesThatFollowTheLawsOfThePlateOnTheirSide) {
 }
 
 TEST(HollowVoxels, BulgeByTheirWallsWhereNothingButSquaresAndLimbsMeet) {
-  // The bodies that calibrations see: their parameters do not depend on how arms are told apart.
+  // Bodies without arms, which calibrations see: their parameters do not depend on how arms are told apart.
   const Polycube slab = Polycube::from_digits(3, 2, 1, "111111");
   const Polycube elbow = Polycube::from_digits(2, 2, 1, "1110");
   const Polycube tripod = Polycube::from_digits(2, 2, 2, "11101000");

@@ -64,6 +64,7 @@ TEST(LawsOfPlates, LengthenBeamsAndDrawThemIn) {
   EXPECT_DOUBLE_EQ(length(inside_plate), 3.0 * 2e-3 - 0.1);
   EXPECT_DOUBLE_EQ(length(plate_edge), 1.5 * 2e-3 - 0.025);
   EXPECT_DOUBLE_EQ(length(beside_arm), length(plate_edge));
+  EXPECT_DOUBLE_EQ(length(inner_edge), length(inside_plate)) << "of the same slope here as that of limbs";
   EXPECT_DOUBLE_EQ(length(walls::limb), 2e-3);
   EXPECT_DOUBLE_EQ(length(middle_of_plate), 2e-3) << "no class of beams";
 }
