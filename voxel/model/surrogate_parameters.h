@@ -13,8 +13,8 @@
 
 namespace menger::voxel {
 
-/// The wall class of a voxel along an axis: which of its four sides parallel to the axis carry a wall. The
-/// stiffness of its half beams along the axis follows from it.
+/// The wall class of a voxel along an axis: which of its four sides parallel to the axis carry a wall. The stiffness of its half
+/// beams along the axis follows from it, and their lengths outside plates (LawClass).
 ///
 /// Two walls make three classes. Two walls that face each other are a limb of a body (`limb`). Two walls side by side are the
 /// corner of a wide body (`corner`) if the voxel diagonally between the two open sides belongs to the same chamber. Otherwise
@@ -23,7 +23,7 @@ namespace menger::voxel {
 ///
 /// The faces of a voxel across the axis have a class of their own, the bulge class. How far a face bulges depends on how wide its
 /// plate is: on the number of squares of four voxels that its voxel forms with open neighbours. An arm, which leads away one
-/// voxel wide, does not widen the plate. So the bulge class is that of a voxel with as many squares in a wide plate without arms:
+/// voxel wide, makes no square. So the bulge class is that of a voxel with as many squares in a wide plate without arms:
 /// `none` for four or three squares, `one` for two, `corner` for one. Without a square it is the wall class. The exception is a
 /// voxel without a square where three or four arms meet: it is `bend`, the nearest class that any load case contains.
 namespace walls {

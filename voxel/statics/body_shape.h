@@ -41,9 +41,9 @@ class BodyShape {
 
   /// Height of the middle of the top above the mean of the bottom faces, m. A wall stands out there by bulge_peak_ratio times its
   /// mean, beside the crown of a square of voxels by what a parabola between the walls has there, and at the end of a square from
-  /// which an arm leaves by its mean. But where a wall across it
-  /// ends, as in the corner of an L or where modules meet, it is the height of this rim. If no voxel lies in the middle of the
-  /// top layer, it is the height of the nearest voxels without bulge, because the rim of a wall beside them does not move.
+  /// which an arm leaves by its mean. But where a wall across it ends, as in the corner of an L or where modules meet, it is the
+  /// height of this rim. If no voxel lies in the middle of the top layer, it is the height of the nearest voxels without bulge,
+  /// because the rim of a wall beside them does not move.
   [[nodiscard]] double top_height() const;
 
   /// Extents of the body and height of its top, in the frame of the body, m.
