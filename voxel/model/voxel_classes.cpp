@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
+#include <vector>
 
 #include "voxel/model/surrogate_parameters.h"
 
@@ -96,12 +96,11 @@ std::uint8_t class_of_both(std::uint8_t lower, std::uint8_t upper, std::uint8_t 
 /// voxels of its squares lie between walls, and at the others a plate leads away.
 bool is_beside_edge(const ChamberVoxels& chamber, const CellIndex& voxel, std::size_t axis) {
   const Surroundings around(chamber, voxel, axis);
-  std::set<CellIndex> voxels;
+  std::vector<CellIndex> voxels{voxel};
   for (std::size_t n = 0; n < around.sides.size(); ++n) {
-    if (!around.square[n]) continue;
     const CellIndex beside = neighbour(voxel, around.sides[n]);
-    const Side next = around.sides[(n + 1) % around.sides.size()];
-    voxels.insert({voxel, beside, neighbour(voxel, next), neighbour(beside, next)});
+    if (around.square[n] || around.square[(n + 3) % around.sides.size()]) voxels.push_back(beside);
+    if (around.square[n]) voxels.push_back(neighbour(beside, around.sides[(n + 1) % around.sides.size()]));
   }
   const auto is_between = [&](const CellIndex& other) { return chamber.is_between_walls(other, axis); };
   const auto leads_away = [&](const CellIndex& other) {
