@@ -80,15 +80,11 @@ meshes::Polycube split_cells(const meshes::Polycube& cells, int parts) {
   return voxels;
 }
 
-/// Returns the walled sides of a voxel: those that lie on a side of its cell behind which there is another chamber or no cell.
-std::array<bool, 6> walled_sides(const meshes::ModularBody& body, const CellIndex& cell, const std::array<int, 3>& part,
-                                 int parts) {
+/// Returns the walled sides of a voxel: those behind which there is another chamber or no cell.
+std::array<bool, 6> walled_sides(const ChamberVoxels& chamber, const CellIndex& voxel) {
   std::array<bool, 6> walled{};
-  for (const meshes::Side side : meshes::all_sides) {
-    const int end = meshes::is_max(side) ? parts - 1 : 0;
-    const bool on_side = part[meshes::axis_of(side)] == end;
-    walled[static_cast<std::size_t>(side)] = on_side && body.region_of(meshes::neighbour(cell, side)) != body.region_of(cell);
-  }
+  for (const meshes::Side side : meshes::all_sides)
+    walled[static_cast<std::size_t>(side)] = !chamber.contains(meshes::neighbour(voxel, side));
   return walled;
 }
 
@@ -122,9 +118,10 @@ HollowVoxels hollow_voxels(const meshes::Polycube& basal_body, const HollowOptio
   for (const CellIndex& voxel : voxels.body.occupied()) {
     const CellIndex cell{voxel.x / parts, voxel.y / parts, voxel.z / parts};
     const std::array<int, 3> part{voxel.x % parts, voxel.y % parts, voxel.z % parts};
-    voxels.walled.push_back(walled_sides(body, cell, part, parts));
+    const ChamberVoxels chamber(body, cell, parts);
+    voxels.walled.push_back(walled_sides(chamber, voxel));
     voxels.shared.push_back(shared_sides(body, cell, voxels.walled.back()));
-    const VoxelClasses classes = classes_of_voxel({body, cell, parts}, voxel);
+    const VoxelClasses classes = classes_of_voxel(chamber, voxel);
     voxels.wall_class.push_back(classes.wall);
     voxels.bulge_class.push_back(classes.bulge);
     voxels.half_class.push_back(classes.half);

@@ -86,6 +86,7 @@ std::uint8_t half_class(const ChamberVoxels& chamber, const CellIndex& voxel, Si
   return wall_class;
 }
 
+/// Returns the law class of both halves of a voxel along an axis, see VoxelClasses::size.
 std::uint8_t class_of_both(std::uint8_t lower, std::uint8_t upper, std::uint8_t wall_class) {
   if (lower == upper) return lower;
   if (std::min(lower, upper) < inside_plate) return wall_class;
@@ -94,8 +95,7 @@ std::uint8_t class_of_both(std::uint8_t lower, std::uint8_t upper, std::uint8_t 
 
 /// Whether the face of a voxel across an axis belongs to a plate that goes on round an edge beside it: at least half of the
 /// voxels of its squares lie between walls, and at the others a plate leads away.
-bool is_beside_edge(const ChamberVoxels& chamber, const CellIndex& voxel, std::size_t axis) {
-  const Surroundings around(chamber, voxel, axis);
+bool is_beside_edge(const ChamberVoxels& chamber, const CellIndex& voxel, std::size_t axis, const Surroundings& around) {
   std::vector<CellIndex> voxels{voxel};
   for (std::size_t n = 0; n < around.sides.size(); ++n) {
     const CellIndex beside = neighbour(voxel, around.sides[n]);
@@ -114,14 +114,14 @@ bool is_beside_edge(const ChamberVoxels& chamber, const CellIndex& voxel, std::s
 
 /// Returns the law class of the faces of a voxel across an axis.
 /// @param classes of its walls and halves
-std::uint8_t face_class(const ChamberVoxels& chamber, const CellIndex& voxel, std::size_t axis, const VoxelClasses& classes) {
-  const Surroundings around(chamber, voxel, axis);
+std::uint8_t face_class(const ChamberVoxels& chamber, const CellIndex& voxel, std::size_t axis, const Surroundings& around,
+                        const VoxelClasses& classes) {
   const std::uint8_t bulge = bulge_class(around);
   if (around.square_count() == 0) return bulge;
   const std::array<std::size_t, 2> along{(axis + 1) % 3, (axis + 2) % 3};
   const auto in_plate = [&](std::size_t a) { return std::max(classes.half[2 * a], classes.half[2 * a + 1]) >= inside_plate; };
   const auto spans = [&](std::size_t a) { return in_plate(a) && classes.wall[a] == walls::limb; };
-  const bool is_wide = is_beside_edge(chamber, voxel, axis);
+  const bool is_wide = is_beside_edge(chamber, voxel, axis, around);
   const bool in_both = is_wide || std::ranges::all_of(along, in_plate);
   if (bulge == walls::none && in_both) return middle_of_plate;
   if (bulge == walls::one && (is_wide || std::ranges::any_of(along, spans)))
@@ -151,21 +151,27 @@ bool ChamberVoxels::is_between_walls(const CellIndex& voxel, std::size_t axis) c
 }
 
 VoxelClasses classes_of_voxel(const ChamberVoxels& chamber, const CellIndex& voxel) {
+  const std::array<Surroundings, 3> around{Surroundings(chamber, voxel, 0), Surroundings(chamber, voxel, 1),
+                                           Surroundings(chamber, voxel, 2)};
   VoxelClasses classes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    classes.wall[axis] = wall_class(Surroundings(chamber, voxel, axis));
-    const std::array<bool, 2> open{chamber.contains(neighbour(voxel, side_at(2 * axis))),
-                                   chamber.contains(neighbour(voxel, side_at(2 * axis + 1)))};
+    const std::uint8_t wall = wall_class(around[axis]);
+    std::array<bool, 2> open{};
+    std::array<std::uint8_t, 2> halves{wall, wall};
     for (std::size_t end = 0; end < open.size(); ++end) {
-      // Up to a wall a voxel lengthens as on its other side.
-      const std::size_t side = 2 * axis + (open[end] || !open[1 - end] ? end : 1 - end);
-      const bool is_open = open[0] || open[1];
-      classes.half[2 * axis + end] = is_open ? half_class(chamber, voxel, side_at(side), classes.wall[axis]) : classes.wall[axis];
+      const Side side = side_at(2 * axis + end);
+      open[end] = chamber.contains(neighbour(voxel, side));
+      if (open[end]) halves[end] = half_class(chamber, voxel, side, wall);
     }
+    // Up to a wall a voxel lengthens as on its other side.
+    if (open[0] && !open[1]) halves[1] = halves[0];
+    if (open[1] && !open[0]) halves[0] = halves[1];
+    classes.wall[axis] = wall;
+    classes.half[2 * axis] = halves[0];
+    classes.half[2 * axis + 1] = halves[1];
+    classes.size[axis] = class_of_both(halves[0], halves[1], wall);
   }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    classes.size[axis] = class_of_both(classes.half[2 * axis], classes.half[2 * axis + 1], classes.wall[axis]);
-  for (std::size_t axis = 0; axis < 3; ++axis) classes.bulge[axis] = face_class(chamber, voxel, axis, classes);
+  for (std::size_t axis = 0; axis < 3; ++axis) classes.bulge[axis] = face_class(chamber, voxel, axis, around[axis], classes);
   return classes;
 }
 

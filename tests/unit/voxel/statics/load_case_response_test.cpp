@@ -149,7 +149,7 @@ TEST(LoadCaseResponse, OfInflationBulgesATeeNoWiderThanItsArms) {
 // meet, none of which is in a fit; they were seen while the laws of plates were chosen. Volumes are known to 5 %, as all curves
 // of the fit. Straight arms bulge too little in the fit itself, so the T has a wider tolerance; where four arms meet a wall also
 // spans more than in the bend that stands in for it. Widths are small sums of lengths that grow and of edges that are drawn in:
-// 0.13 mm is a twentieth of what plates of this size stand out by. With one law for all walls those of the last four are 0.25 to
+// 0.13 mm is a twentieth of what plates of this size stand out by. With one law for all walls those of the last four are 0.22 to
 // 0.67 mm off.
 TEST(LoadCaseResponse, OfFeetHasTheSizeThatFiniteElementsFind) {
   struct Foot {
