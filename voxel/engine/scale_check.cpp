@@ -178,10 +178,10 @@ std::string unusable_growth(const CalibratedBody& body) {
       }
       if (!problem.empty()) return problem;
     }
-    const PressureLaw in_plate = parameters.extension_of(inside_plate);
-    if (!in_plate.has_value(pressure)) continue;
+    const PressureLaw inside = parameters.extension_of(inside_plate);
+    if (!inside.has_value(pressure)) continue;
     std::string problem =
-        absurd_growth("extension.plate_stretch_ratio", parameters.plate_stretch_ratio, in_plate.value(pressure), pressure);
+        absurd_growth("extension.plate_stretch_ratio", parameters.plate_stretch_ratio, inside.value(pressure), pressure);
     if (!problem.empty()) return problem;
   }
   return "";

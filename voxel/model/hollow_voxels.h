@@ -7,7 +7,7 @@
 
 #include "meshes/design/hollow_body_options.h"
 #include "meshes/design/polycube.h"
-#include "voxel/model/surrogate_parameters.h"
+#include "voxel/model/wall_classes.h"
 
 namespace menger::voxel {
 

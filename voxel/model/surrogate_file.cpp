@@ -63,10 +63,11 @@ void check_laws(const io::TomlTable& table, const SurrogateParameters& parameter
 /// Checks that plates keep a length over the range of validity of their classes.
 /// @throws io::InputError otherwise
 void check_plates(const io::TomlTable& table, const SurrogateParameters& parameters) {
-  for (const std::size_t size_class : {inside_plate, plate_edge, beside_arm, inner_edge}) {
-    for (const double end : law_range(parameters, wall_class_of(size_class))) {
-      if (1.0 + parameters.extension_of(size_class).value(end) > 0.0) continue;
-      throw table.error("plate_stretch_ratio", "the rest length of " + law_class_text(size_class) + " is not positive at " +
+  for (std::size_t law_class = wall_class_count; law_class < law_class_count; ++law_class) {
+    if (in_plate(law_class).is_face) continue;
+    for (const double end : law_range(parameters, wall_class_of(law_class))) {
+      if (1.0 + parameters.extension_of(law_class).value(end) > 0.0) continue;
+      throw table.error("plate_stretch_ratio", "the rest length of " + law_class_text(law_class) + " is not positive at " +
                                                    io::number_text(end) + " Pa, within the range of validity");
     }
   }

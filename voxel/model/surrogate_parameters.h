@@ -2,121 +2,15 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "meshes/design/hollow_body_options.h"
 #include "voxel/model/pressure_law.h"
+#include "voxel/model/wall_classes.h"
 
 namespace menger::voxel {
-
-/// The wall class of a voxel along an axis: which of its four sides parallel to the axis carry a wall. The stiffness of its half
-/// beams along the axis follows from it, and their lengths outside plates (LawClass).
-///
-/// Two walls make three classes. Two walls that face each other are a limb of a body (`limb`). Two walls side by side are the
-/// corner of a wide body (`corner`) if the voxel diagonally between the two open sides belongs to the same chamber. Otherwise
-/// they are the bend of a limb (`bend`), whose faces span no further than those of a limb. Where a cell has several voxels along
-/// an edge, this diagonal voxel is part of the same cell, so that no voxel is a `bend`.
-///
-/// The faces of a voxel across the axis have a class of their own, the bulge class. How far a face bulges depends on how wide its
-/// plate is: on the number of squares of four voxels that its voxel forms with open neighbours. An arm, which leads away one
-/// voxel wide, makes no square. So the bulge class is that of a voxel with as many squares in a wide plate without arms:
-/// `none` for four or three squares, `one` for two, `corner` for one. Without a square it is the wall class. The exception is a
-/// voxel without a square where three or four arms meet: it is `bend`, the nearest class that any load case contains.
-namespace walls {
-enum WallClass : std::uint8_t { none, one, corner, bend, limb, three, closed };
-}
-inline constexpr std::size_t wall_class_count = 7;
-inline constexpr std::size_t closed_wall_class = walls::closed;  ///< walls on all four sides
-/// The names of the classes in files, by position: walls on none, one, two adjacent (corner, bend), two opposite, three and four
-/// sides.
-inline constexpr std::array<std::string_view, wall_class_count> wall_class_names{"0", "1", "2a", "2b", "2o", "3", "4"};
-inline constexpr std::array<std::string_view, wall_class_count> wall_class_meanings{
-    "no wall beside them",
-    "a wall on one side",
-    "walls on two sides that meet, in a wide body",
-    "walls on two sides that meet, at the bend of a limb",
-    "walls on two opposite sides",
-    "walls on three sides",
-    "walls on all four sides"};
-/// Returns a class as messages name it: "voxels with a wall on one side (wall class 1)".
-inline std::string wall_class_text(std::size_t wall_class) {
-  return "voxels with " + std::string(wall_class_meanings.at(wall_class)) + " (wall class " +
-         std::string(wall_class_names.at(wall_class)) + ")";
-}
-template <class Value>
-using ByWallClass = std::array<Value, wall_class_count>;
-
-/// Which law a half of a voxel along an axis, or a face, follows: that of its wall class, or bulge class, but in plates. The
-/// walls of a plate become arcs. So its edges are drawn in, and its faces rise further than those of a block.
-///
-/// Halves: `inside_plate` is walls::limb with an open square of four voxels on both sides of the half, `beside_arm` with one on
-/// one side only, as where an arm leaves the plate or the plate has a notch. `plate_edge` is walls::three with a square on its
-/// open side, `inner_edge` is walls::bend with squares on both, where two plates meet. Where limbs leave the plate in all these
-/// squares beside the voxel, they hold it, and the half has its wall class. A plate that does not end there, but goes on round an
-/// edge, does not hold it.
-///
-/// Faces, across each axis of a voxel: `middle_of_plate` if both axes along the face have halves in the plate, `side_of_plate` if
-/// the axis does along which the plate goes on to both sides (so also where two squares meet at a corner), `corner_of_plate` if
-/// both axes do. Faces of squares beside an edge round which a plate goes on are in it, too. An arm, which leaves the plate one
-/// voxel wide, lets the face beside it rise further.
-///
-/// The order counts: halves come before faces, and faces go from the middle outwards.
-enum LawClass : std::uint8_t {
-  inside_plate = wall_class_count,
-  plate_edge,
-  beside_arm,
-  inner_edge,
-  middle_of_plate,  ///< of walls::none
-  side_of_plate,    ///< of walls::one
-  side_with_arm,
-  corner_of_plate,  ///< of walls::corner
-  corner_with_arm,
-  corner_with_two_arms
-};
-inline constexpr std::size_t law_class_count = corner_with_two_arms + 1;
-/// Returns the wall class of a law class.
-constexpr std::size_t wall_class_of(std::size_t law_class) {
-  constexpr std::array<std::size_t, law_class_count - wall_class_count> in_plates{
-      walls::limb, walls::three, walls::limb,   walls::bend,   walls::none,
-      walls::one,  walls::one,   walls::corner, walls::corner, walls::corner};
-  return law_class < wall_class_count ? law_class : in_plates[law_class - wall_class_count];
-}
-/// Returns a law class as messages name it.
-inline std::string law_class_text(std::size_t law_class) {
-  constexpr std::array<std::string_view, law_class_count - wall_class_count> in_plates{"inside a plate",
-                                                                                       "at the edge of a plate",
-                                                                                       "in a plate beside an arm or a notch",
-                                                                                       "at the inner edge of two plates",
-                                                                                       "in the middle of a plate",
-                                                                                       "at the side of a plate",
-                                                                                       "at the side of a plate with an arm",
-                                                                                       "in the corner of a plate",
-                                                                                       "in the corner of a plate with an arm",
-                                                                                       "in the corner of a plate with two arms"};
-  return law_class < wall_class_count ? wall_class_text(law_class)
-                                      : "voxels " + std::string(in_plates[law_class - wall_class_count]);
-}
-template <class Value>
-using ByLawClass = std::array<Value, law_class_count>;
-
-/// The number of cells between two walls that face each other: one, two, or three and more.
-namespace gaps {
-enum Gap : std::uint8_t { one_cell, two_cells, three_or_more_cells };
-}
-inline constexpr std::size_t gap_count = 3;
-template <class Value>
-using ByGap = std::array<Value, gap_count>;
-
-/// Returns the same value for every class.
-constexpr ByWallClass<double> all_classes(double value) {
-  ByWallClass<double> values{};
-  values.fill(value);
-  return values;
-}
 
 /// Factors on the stiffness of a beam that crosses from one module or chamber to another, where two walls are bonded.
 struct JointFactors {
@@ -229,26 +123,23 @@ struct SurrogateParameters {
   [[nodiscard]] double voxel_edge_m() const { return cell_edge_m / voxels_per_cell; }
   /// Returns the law of extension of the beams of a law class.
   [[nodiscard]] PressureLaw extension_of(std::size_t law_class) const {
-    PressureLaw of_class = extension[wall_class_of(law_class)];
-    if (law_class < inside_plate || law_class > inner_edge) return of_class;
-    const double share = law_class == inside_plate || law_class == inner_edge ? 1.0 : plate_edge_share;
-    of_class.slope_per_Pa *= 1.0 + share * (plate_stretch_ratio - 1.0);
-    of_class.arc = -share * plate_draw_in;
-    of_class.arc_per_Pa = plate_draw_in_per_Pa;
-    return of_class;
+    PressureLaw changed = extension[wall_class_of(law_class)];
+    if (!is_in_plate(law_class) || in_plate(law_class).is_face) return changed;
+    const double left = std::pow(plate_edge_share, in_plate(law_class).edge_power);
+    changed.slope_per_Pa *= 1.0 + left * (plate_stretch_ratio - 1.0);
+    changed.arc = -left * plate_draw_in;
+    changed.arc_per_Pa = plate_draw_in_per_Pa;
+    return changed;
   }
   /// Returns the law of bulging of the faces of a law class.
   [[nodiscard]] PressureLaw bulge_of(std::size_t law_class) const {
-    PressureLaw of_class = bulge[wall_class_of(law_class)];
-    if (law_class < middle_of_plate) return of_class;
-    const double at_side = law_class == middle_of_plate ? 1.0 : std::sqrt(plate_edge_share);
-    of_class.arc = plate_rise * (law_class < corner_of_plate ? at_side : at_side * at_side);
-    of_class.arc_per_Pa = plate_draw_in_per_Pa;
-    const bool has_arm = law_class == side_with_arm || law_class >= corner_with_arm;
-    const double widened = has_arm ? plate_arm_ratio * (law_class == corner_with_two_arms ? plate_arm_ratio : 1.0) : 1.0;
-    of_class.slope_per_Pa *= widened;
-    of_class.arc *= widened;
-    return of_class;
+    PressureLaw changed = bulge[wall_class_of(law_class)];
+    if (!is_in_plate(law_class) || !in_plate(law_class).is_face) return changed;
+    const double widened = std::pow(plate_arm_ratio, in_plate(law_class).arms);
+    changed.slope_per_Pa *= widened;
+    changed.arc = widened * std::pow(plate_edge_share, in_plate(law_class).edge_power) * plate_rise;
+    changed.arc_per_Pa = plate_draw_in_per_Pa;
+    return changed;
   }
   /// Returns the volume below the bulge of a face of a law class, by the mean of the bulge times the area of the face.
   [[nodiscard]] double volume_ratio_of(std::size_t law_class) const {

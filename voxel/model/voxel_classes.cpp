@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-#include "voxel/model/surrogate_parameters.h"
+#include "voxel/model/wall_classes.h"
 
 namespace menger::voxel {
 namespace {
@@ -89,7 +89,7 @@ std::uint8_t half_class(const ChamberVoxels& chamber, const CellIndex& voxel, Si
 /// Returns the law class of both halves of a voxel along an axis, see VoxelClasses::size.
 std::uint8_t class_of_both(std::uint8_t lower, std::uint8_t upper, std::uint8_t wall_class) {
   if (lower == upper) return lower;
-  if (std::min(lower, upper) < inside_plate) return wall_class;
+  if (!is_in_plate(lower) || !is_in_plate(upper)) return wall_class;
   return beside_arm;  // the other one is inside_plate
 }
 
@@ -119,10 +119,12 @@ std::uint8_t face_class(const ChamberVoxels& chamber, const CellIndex& voxel, st
   const std::uint8_t bulge = bulge_class(around);
   if (around.square_count() == 0) return bulge;
   const std::array<std::size_t, 2> along{(axis + 1) % 3, (axis + 2) % 3};
-  const auto in_plate = [&](std::size_t a) { return std::max(classes.half[2 * a], classes.half[2 * a + 1]) >= inside_plate; };
-  const auto spans = [&](std::size_t a) { return in_plate(a) && classes.wall[a] == walls::limb; };
+  const auto ends_in_plate = [&](std::size_t a) {
+    return is_in_plate(classes.half[2 * a]) || is_in_plate(classes.half[2 * a + 1]);
+  };
+  const auto spans = [&](std::size_t a) { return ends_in_plate(a) && classes.wall[a] == walls::limb; };
   const bool is_wide = is_beside_edge(chamber, voxel, axis, around);
-  const bool in_both = is_wide || std::ranges::all_of(along, in_plate);
+  const bool in_both = is_wide || std::ranges::all_of(along, ends_in_plate);
   if (bulge == walls::none && in_both) return middle_of_plate;
   if (bulge == walls::one && (is_wide || std::ranges::any_of(along, spans)))
     return around.arms() == 0 ? side_of_plate : side_with_arm;

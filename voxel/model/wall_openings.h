@@ -5,7 +5,7 @@
 
 #include "voxel/laws/lattice.h"
 #include "voxel/model/hollow_voxels.h"
-#include "voxel/model/surrogate_parameters.h"
+#include "voxel/model/wall_classes.h"
 
 namespace menger::voxel {
 
