@@ -9,6 +9,9 @@ proof.py missing TABLES SEED SIZE.toml        prints the arms of a seed, of thos
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
 proof.py winner RESULTS ARM SEED              prints the individual that counts of a search on finite elements; nothing if none walks
+proof.py untried TABLES                       prints, for each search on finite elements whose winner has no row in layers.csv: its arm, its
+                                              seed, a generation by whose end the search has met the winner, and the winner
+proof.py again RESULTS TABLES ARM SEED        adds such a winner, which walked again, to layers.csv and dampings.csv
 proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv, walks.csv, and where there are any, to
                                               layers.csv, dampings.csv and screening.csv
 proof.py summary TABLES                       makes statistics.csv, first.csv, by_friction.csv, layer_statistics.csv, damping_statistics.csv,
@@ -320,6 +323,31 @@ def write_comparisons(file, outcomes):
         file.unlink(missing_ok=True)
 
 
+def untried_winners(tables):
+    """Of each search on finite elements whose winner has not walked on two layers: arm, seed, generation and winner. Individuals are
+    numbered as they are met, so a search that has a champion of the winner's number or a later one has met the winner."""
+    tried = read_table(tables / "layers.csv") if (tables / "layers.csv").exists() else []
+    progress = read_table(tables / "progress.csv")
+    for row in read_table(tables / "outcomes.csv"):
+        if row["arm"] not in ON_ELEMENTS or not row["individual"] or not value(row["best_body_lengths"]):
+            continue
+        of_search = [one for one in progress if is_of(one, row["arm"], row["seed"])]
+        if any(is_of(one, row["arm"], row["seed"]) for one in tried):
+            continue
+        generations = [int(one["generation"]) for one in of_search if int(one["champion"]) >= int(row["individual"])]
+        yield row["arm"], row["seed"], min(generations) if generations else int(row["generations"]), row["individual"]
+
+
+def check_is_winner(results, tables, arm, seed):
+    """@throws InputError unless the robot that walked again is the one that the tables have as the winner, and walks alike on fine
+    elements."""
+    winner = winner_of(judged_robots(results, arm, seed))
+    outcome = next((row for row in read_table(tables / "outcomes.csv") if is_of(row, arm, seed)), None)
+    found = winner and (winner[0]["individual"], winner[0]["design"], number(score(winner)))
+    if outcome is None or found != tuple(outcome[key] for key in ("individual", "design", "best_body_lengths")):
+        raise InputError(f"{results}/{arm}_{seed}.fine.csv: its best robot is not the winner in {tables}/outcomes.csv, or walks otherwise")
+
+
 LAYERS = ["arm", "seed", "individual", "one_body_lengths", "two_body_lengths", "ratio", "angle_deg", "reason"]
 
 
@@ -554,6 +582,14 @@ def main(arguments):
                 winner = winner_of(judged_robots(pathlib.Path(results), arm, seed))
                 if winner:
                     print(winner[0]["individual"])
+            case ["untried", tables]:
+                for row in untried_winners(pathlib.Path(tables)):
+                    print(*row)
+            case ["again", results, tables, arm, seed] if arm in ON_ELEMENTS:
+                results, tables = pathlib.Path(results), pathlib.Path(tables)
+                check_is_winner(results, tables, arm, seed)
+                add_rows(tables / "layers.csv", LAYERS, arm, seed, list(layers_of(results, arm, seed)))
+                add_rows(tables / "dampings.csv", DAMPINGS, arm, seed, list(dampings_of(results, arm, seed)))
             case ["take", results, tables, arm, seed] if arm in ARMS:
                 results, tables = pathlib.Path(results), pathlib.Path(tables)
                 progress = list(progress_of(results, arm, seed))

@@ -345,6 +345,33 @@ class Searches(unittest.TestCase):
         self.put("both_1.dampings.csv", columns, [[1, 9, 0.4, 0.059, 0.3, ""]])
         self.assertIn("has no walk of individual 5", self.call("take", self.results, self.tables, "both", 1).stderr)
 
+    def test_a_winner_walks_again_after_its_archive_is_gone(self):
+        self.make("both", 1, 0.2)
+        walks = "rank individual design cells phenotype score_body_lengths friction loss_factor dx_m dy_m body_lengths reason"
+        winner = [[1, 5, "b", 19, "101", 0.2, 0.4, 0.1, 0, 0.03, 0.2, ""], [1, 5, "b", 19, "101", 0.2, 0.8, 0.1, 0, 0.04, 0.5, ""]]
+        self.put("both_1.fine.csv", walks, winner)
+        (self.results / "both_1.layers.csv").unlink()
+        self.make("voxels", 1, 0.1)
+        for arm in ("voxels", "both"):
+            self.assertEqual(self.call("take", self.results, self.tables, arm, 1).returncode, 0)
+        self.assertEqual(self.call("untried", self.tables).stdout, "both 1 0 5\n", "generation 0 has the champion 5")
+
+        self.put("both_1.layers.csv", self.LAYERS, [[1, 5, 0.8, 0, 0.04, 0.4, ""]])
+        self.put("both_1.dampings.csv", "rank individual friction loss_factor body_lengths reason", [[1, 5, 0.4, 0.059, 0.1, ""]])
+        for column, other in ((1, 9), (2, "c"), (5, 0.3)):  # another robot, another body, another walk
+            self.put("both_1.fine.csv", walks, [[other if n == column else cell for n, cell in enumerate(row)] for row in winner])
+            refused = self.call("again", self.results, self.tables, "both", 1)
+            self.assertEqual(refused.returncode, 2, column)
+            self.assertIn("is not the winner", refused.stderr)
+            self.assertFalse((self.tables / "layers.csv").exists())
+        self.put("both_1.fine.csv", walks, winner)
+        again = self.call("again", self.results, self.tables, "both", 1)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(self.call("untried", self.tables).stdout, "")
+        row, = table_of(self.tables / "layers.csv")
+        self.assertEqual(row["ratio"], "0.8")
+        self.assertEqual([row["loss_factor"] for row in table_of(self.tables / "dampings.csv")], ["0.059", "0.1"])
+
     def test_winners_that_all_fall_on_two_layers_are_counted(self):
         self.make("both", 1, 0.07)
         self.put("both_1.layers.csv", self.LAYERS, [[1, 5, 0.8, 0.01, 0.0, 0.1, "it fell"]])
