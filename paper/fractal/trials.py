@@ -4,7 +4,8 @@
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              and three_scales/SEED.csv in both folders
 
-Arms of different lengths are compared at the last generation that both have. The best robot of a trial at first and at the end, and a
+Trials of an arm count up to the last generation that all of them have, so that each can go on at another time; two arms are compared
+at the last generation that both have. The best robot of a trial at first and at the end, and a
 champion at two scales, are pairs: p is that of the signed-rank test. The rank-sum test, which the paper used and which takes them for
 samples apart, stands beside it. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect,
 "not reproduced" on the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05).
@@ -42,11 +43,9 @@ PER_MINUTE = 60.0 / DURATION_S
 class Trial:
     """The champions of a trial, generation by generation."""
 
-    def __init__(self, file):
-        self.rows = read_table(file)
-        if not self.rows:
-            raise InputError(f"{file}: has no generation")
-        self.seed = int(file.stem)
+    def __init__(self, seed, rows):
+        self.rows = rows
+        self.seed = seed
         # Before any robot has a fitness the best is none.
         self.best = self.column("best_fitness_body_lengths", "0") * PER_MINUTE
         self.dimension = self.column("hausdorff_dimension", "nan")
@@ -62,12 +61,15 @@ class Trial:
 
 
 def trials_of(folder):
-    trials = [Trial(file) for file in sorted(folder.glob("*.csv"), key=lambda file: int(file.stem))]
-    lengths = {len(trial.best) - 1: trial.seed for trial in trials}
-    if len(lengths) > 1:
-        said = " and ".join(f"{count} (seed {seed})" for count, seed in sorted(lengths.items()))
-        raise InputError(f"{folder}: its trials have different numbers of generations, {said}: run the shorter ones on with GENERATIONS, or remove their tables")
-    return trials
+    rows = {int(file.stem): read_table(file) for file in folder.glob("*.csv")}
+    for seed, found in rows.items():
+        if not found:
+            raise InputError(f"{folder}/{seed}.csv: has no generation")
+    shortest = min(map(len, rows.values()), default=0)
+    longer = [seed for seed, found in sorted(rows.items()) if len(found) > shortest]
+    if longer:
+        print(f"{folder}: all trials have {shortest - 1} generations; further ones of {', '.join(map(str, longer))} do not count yet")
+    return [Trial(seed, found[:shortest]) for seed, found in sorted(rows.items())]
 
 
 def champions(arms):

@@ -563,12 +563,20 @@ class Trials(Case):
         self.assertEqual([champions["fractal", "1"][f"level_{level}_per_minute"] for level in (1, 2, 3)], ["24", "12", ""])
         xml.dom.minidom.parse(str(folder / "trials.svg"))
 
-    def test_refuses_trials_of_unlike_lengths(self):
-        self.trial("fractal/two_scales", 1, 1.0)
-        self.trial("fractal/two_scales", 2, 1.0)
+    def test_generations_count_that_all_trials_have(self):
+        for seed in (1, 2):
+            self.trial("fractal/two_scales", seed, 1.0)
         with open(self.tree / "paper/fractal/two_scales/2.csv", "a", encoding="utf-8") as text:
-            text.write("3,1,9,2,1,1\n")
-        self.refused("have different numbers of generations, 2 (seed 1) and 3 (seed 2)", self.script)
+            text.write("3,9,27,3,9,9\n")
+        self.assertIn("all trials have 2 generations; further ones of 2 do not count yet", self.done(self.script))
+        (row,) = table_of(self.tree / "paper/fractal/statistics.csv")
+        self.assertEqual((row["generations"], row["last"], row["dimension_2"]), ("2", "12", "2"))
+        champion = table_of(self.tree / "paper/fractal/champions.csv")[1]
+        self.assertEqual((champion["seed"], champion["body_lengths_per_minute"], champion["cells"]), ("2", "12", "9"))
+
+    def test_refuses_a_trial_without_generations(self):
+        write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])
+        self.refused("fractal/two_scales/1.csv: has no generation", self.script)
 
 
 if __name__ == "__main__":
