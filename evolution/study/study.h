@@ -34,7 +34,7 @@ std::string_view to_string(Measure measure);  ///< "net_displacement" or "last_p
 /// its frictions alone. A robot's score is that of its worst ones.
 struct RobustOptions {
   /// Of robots on the ground and on themselves, static and kinetic alike: published friction of silicones lies between 0.25 and
-  /// 1 (doi 10.1007/s11012-023-01719-5), and 1.2 is more than that.
+  /// 1 (doi 10.1007/s11012-023-01719-5), and 1.2 is a fifth above the largest.
   std::vector<double> frictions{0.4, 0.8, 1.2};
 
   /// Of the silicone, at the loss frequency of its damping: the least and the greatest published for Ecoflex 00-30 between 1 and

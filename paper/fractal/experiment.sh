@@ -1,4 +1,4 @@
-# Do aggregates of aggregates of an evolved body walk as the body does? The paper's main experiment.
+# What does the evolution of fractal robots find? The paper's main experiment.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "two_scales_$seed" "3 min of two cores" "20 generations at the scales of 3 and 9 cells"
 done

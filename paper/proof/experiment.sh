@@ -4,7 +4,7 @@
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part_on_request "seed_$seed" "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings"
 done
-part_on_request winners "up to 2 h of two cores" "the winners of searches on elements that have not walked on two layers: such a search is made again up to its winner"
+part_on_request winners "up to 2 h of two cores" "the winners of searches on elements that have not walked on two layers or at other dampings: such a search is made again up to its winner"
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
 part_on_request short "75 min of two cores" "ten seeds of searches a tenth as long; tables in paper/proof/short"
@@ -53,8 +53,10 @@ done
 
 # Searches whose archives are gone are made again, with the same seeds, until they have met the winner that the tables name.
 winners() {
-  local arm seed generations winner name judge
+  local untried arm seed generations winner name judge
+  untried=$(proof untried "$study")
   while read -r arm seed generations winner <&3; do
+    [ -n "$arm" ] || continue
     name=${arm}_$seed
     say "proof: the winner of $name, individual $winner"
     proof study "$arm" "$seed" "$study/size.toml" "$results/studies/$name.toml"
@@ -63,8 +65,8 @@ winners() {
       proof judge $judge "$study/size.toml" "$results/studies/$judge.toml"
       menger confirm "$results/$name.sqlite" "$results/studies/$judge.toml" --individuals "$winner" --output "$results/$name.${judge/two_/}.csv"
     done
-    proof again "$results" "$study" "$arm" "$seed"
-  done 3< <(proof untried "$study")
+    proof again "$results" "$study" "$arm" "$seed" || say "proof: $name is left out"
+  done 3<<<"$untried"
   proof summary "$study"
 }
 

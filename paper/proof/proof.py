@@ -9,8 +9,8 @@ proof.py missing TABLES SEED SIZE.toml        prints the arms of a seed, of thos
 proof.py cost RESULTS                         makes cost.csv from two searches in RESULTS: voxels and elements
 proof.py champions RESULTS ARM SEED           prints the individuals whose scores on elements progress.csv wants of a search on voxels
 proof.py winner RESULTS ARM SEED              prints the individual that counts of a search on finite elements; nothing if none walks
-proof.py untried TABLES                       prints, for each search on finite elements whose winner has no row in layers.csv: its arm, its
-                                              seed, a generation by whose end the search has met the winner, and the winner
+proof.py untried TABLES                       prints, for each search on finite elements whose winner lacks a row in layers.csv or dampings.csv: its
+                                              arm, its seed, a generation by whose end the search has met the winner, and the winner
 proof.py again RESULTS TABLES ARM SEED        adds such a winner, which walked again, to layers.csv and dampings.csv
 proof.py take RESULTS TABLES ARM SEED         adds a finished search to outcomes.csv, progress.csv, walks.csv, and where there are any, to
                                               layers.csv, dampings.csv and screening.csv
@@ -324,15 +324,15 @@ def write_comparisons(file, outcomes):
 
 
 def untried_winners(tables):
-    """Of each search on finite elements whose winner has not walked on two layers: arm, seed, generation and winner. Individuals are
-    numbered as they are met, so a search that has a champion of the winner's number or a later one has met the winner."""
-    tried = read_table(tables / "layers.csv") if (tables / "layers.csv").exists() else []
+    """Of each search on finite elements whose winner has not walked on two layers or at other dampings: arm, seed, generation and
+    winner. Individuals are numbered as they are met, so a search that has a champion of the winner's number or a later one has met it."""
+    tried = [read_table(tables / name) if (tables / name).exists() else [] for name in ("layers.csv", "dampings.csv")]
     progress = read_table(tables / "progress.csv")
     for row in read_table(tables / "outcomes.csv"):
         if row["arm"] not in ON_ELEMENTS or not row["individual"] or not value(row["best_body_lengths"]):
             continue
         of_search = [one for one in progress if is_of(one, row["arm"], row["seed"])]
-        if any(is_of(one, row["arm"], row["seed"]) for one in tried):
+        if all(any(is_of(one, row["arm"], row["seed"]) for one in table) for table in tried):
             continue
         generations = [int(one["generation"]) for one in of_search if int(one["champion"]) >= int(row["individual"])]
         yield row["arm"], row["seed"], min(generations) if generations else int(row["generations"]), row["individual"]

@@ -8,6 +8,7 @@ import csv
 import itertools
 import pathlib
 import random
+import re
 import sqlite3
 import subprocess
 import sys
@@ -355,6 +356,13 @@ class Searches(unittest.TestCase):
         for arm in ("voxels", "both"):
             self.assertEqual(self.call("take", self.results, self.tables, arm, 1).returncode, 0)
         self.assertEqual(self.call("untried", self.tables).stdout, "both 1 0 5\n", "generation 0 has the champion 5")
+        for champions, generation in (((3, 9, 11), 1), ((3, 4, 4), 2)):  # a later robot, or none of the winner's number
+            name = self.tables / "progress.csv"
+            rows = "".join(f"both,1,{n},1,{champion},0.1\n" for n, champion in enumerate(champions))
+            name.write_text("arm,seed,generation,cost_element_steps,champion,body_lengths\n" + rows)
+            outcomes = self.tables / "outcomes.csv"
+            outcomes.write_text(re.sub(r"^(both,1,[^,]*,[^,]*,[^,]*),\d+", r"\1,2", outcomes.read_text(), flags=re.MULTILINE))
+            self.assertEqual(self.call("untried", self.tables).stdout, f"both 1 {generation} 5\n", champions)
 
         self.put("both_1.layers.csv", self.LAYERS, [[1, 5, 0.8, 0, 0.04, 0.4, ""]])
         self.put("both_1.dampings.csv", "rank individual friction loss_factor body_lengths reason", [[1, 5, 0.4, 0.059, 0.1, ""]])

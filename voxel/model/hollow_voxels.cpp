@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "meshes/design/modular_body.h"
-#include "voxel/model/surrogate_parameters.h"
 #include "voxel/model/voxel_classes.h"
 
 namespace menger::voxel {

@@ -64,7 +64,7 @@ void check_laws(const io::TomlTable& table, const SurrogateParameters& parameter
 /// @throws io::InputError otherwise
 void check_plates(const io::TomlTable& table, const SurrogateParameters& parameters) {
   for (std::size_t law_class = wall_class_count; law_class < law_class_count; ++law_class) {
-    if (in_plate(law_class).is_face) continue;
+    if (place_in_plate(law_class).is_face) continue;
     for (const double end : law_range(parameters, wall_class_of(law_class))) {
       if (1.0 + parameters.extension_of(law_class).value(end) > 0.0) continue;
       throw table.error("plate_stretch_ratio", "the rest length of " + law_class_text(law_class) + " is not positive at " +

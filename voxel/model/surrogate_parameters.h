@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "meshes/design/hollow_body_options.h"
 #include "voxel/model/pressure_law.h"
@@ -124,20 +122,21 @@ struct SurrogateParameters {
   /// Returns the law of extension of the beams of a law class.
   [[nodiscard]] PressureLaw extension_of(std::size_t law_class) const {
     PressureLaw changed = extension[wall_class_of(law_class)];
-    if (!is_in_plate(law_class) || in_plate(law_class).is_face) return changed;
-    const double left = std::pow(plate_edge_share, in_plate(law_class).edge_power);
-    changed.slope_per_Pa *= 1.0 + left * (plate_stretch_ratio - 1.0);
-    changed.arc = -left * plate_draw_in;
+    if (!is_in_plate(law_class) || place_in_plate(law_class).is_face) return changed;
+    const double share = std::pow(plate_edge_share, place_in_plate(law_class).edge_power);
+    changed.slope_per_Pa *= 1.0 + share * (plate_stretch_ratio - 1.0);
+    changed.arc = -share * plate_draw_in;
     changed.arc_per_Pa = plate_draw_in_per_Pa;
     return changed;
   }
   /// Returns the law of bulging of the faces of a law class.
   [[nodiscard]] PressureLaw bulge_of(std::size_t law_class) const {
     PressureLaw changed = bulge[wall_class_of(law_class)];
-    if (!is_in_plate(law_class) || !in_plate(law_class).is_face) return changed;
-    const double widened = std::pow(plate_arm_ratio, in_plate(law_class).arms);
+    if (!is_in_plate(law_class) || !place_in_plate(law_class).is_face) return changed;
+    const double widened = std::pow(plate_arm_ratio, place_in_plate(law_class).arms);
     changed.slope_per_Pa *= widened;
-    changed.arc = widened * std::pow(plate_edge_share, in_plate(law_class).edge_power) * plate_rise;
+    const double share = std::pow(plate_edge_share, place_in_plate(law_class).edge_power);
+    changed.arc = widened * share * plate_rise;
     changed.arc_per_Pa = plate_draw_in_per_Pa;
     return changed;
   }

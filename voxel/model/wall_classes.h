@@ -77,12 +77,13 @@ inline constexpr std::size_t law_class_count = corner_with_two_arms + 1;
 struct PlaceInPlate {
   std::size_t wall_class;  ///< whose law it begins with
   bool is_face;            ///< false: a half along an axis
-  /// To what power the share counts that is left at the edges of a plate: 0 away from them, 1 where side walls hold the plate
-  /// all along the half or on two sides of the face, 1/2 where they do so on one side.
+  /// The power of SurrogateParameters::plate_edge_share in the law: 0 away from the edges of a plate; 1 for halves at its edge or
+  /// beside an arm or a notch, and for faces in its corners; 1/2 for faces at its sides.
   double edge_power;
   int arms;                  ///< that lead away beside the face
   std::string_view meaning;  ///< as messages say it, after "voxels"
 };
+/// By position in LawClass.
 inline constexpr std::array<PlaceInPlate, law_class_count - wall_class_count> places_in_plates{{
     {walls::limb, false, 0.0, 0, "inside a plate"},
     {walls::three, false, 1.0, 0, "at the edge of a plate"},
@@ -95,17 +96,18 @@ inline constexpr std::array<PlaceInPlate, law_class_count - wall_class_count> pl
     {walls::corner, true, 1.0, 1, "in the corner of a plate with an arm"},
     {walls::corner, true, 1.0, 2, "in the corner of a plate with two arms"},
 }};
+static_assert(!places_in_plates.back().meaning.empty(), "a row for each law class");
 
 constexpr bool is_in_plate(std::size_t law_class) { return law_class >= wall_class_count; }
 /// Only where is_in_plate(law_class).
-constexpr const PlaceInPlate& in_plate(std::size_t law_class) { return places_in_plates.at(law_class - wall_class_count); }
+constexpr const PlaceInPlate& place_in_plate(std::size_t law_class) { return places_in_plates.at(law_class - wall_class_count); }
 /// Returns the wall class of a law class.
 constexpr std::size_t wall_class_of(std::size_t law_class) {
-  return is_in_plate(law_class) ? in_plate(law_class).wall_class : law_class;
+  return is_in_plate(law_class) ? place_in_plate(law_class).wall_class : law_class;
 }
 /// Returns a law class as messages name it.
 inline std::string law_class_text(std::size_t law_class) {
-  return is_in_plate(law_class) ? "voxels " + std::string(in_plate(law_class).meaning) : wall_class_text(law_class);
+  return is_in_plate(law_class) ? "voxels " + std::string(place_in_plate(law_class).meaning) : wall_class_text(law_class);
 }
 template <class Value>
 using ByLawClass = std::array<Value, law_class_count>;

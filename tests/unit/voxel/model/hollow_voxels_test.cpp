@@ -8,7 +8,6 @@
 
 #include "meshes/design/reference_shapes.h"
 #include "meshes/hexahedra/hollow_polycube.h"
-#include "voxel/model/surrogate_parameters.h"
 
 namespace menger::voxel {
 namespace {
