@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,28 @@ TEST_F(Export, RefusesADamagedArchiveBeforeItTouchesAnEarlierExport) {
   EXPECT_EQ(outcome.code, 2) << outcome.out;
   EXPECT_EQ(contents("out"), before);
   EXPECT_EQ(io::read_whole(folder_ / "out/manifest.json"), manifest);
+}
+
+TEST_F(Export, WritesTheFittestRobotOfEachNiche) {
+  evolve("run.sqlite", "2", "fractal", "paper", "[map_elites]\ncells_per_niche = 5\n");
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  const io::CsvContents niches = io::read_csv(folder_ / "out/niches.csv");
+  ASSERT_GE(niches.row_count(), 2U) << "bodies of one kind alone";
+  std::set<std::vector<double>> kinds;
+  double best = 0.0;
+  for (std::size_t row = 0; row < niches.row_count(); ++row) {
+    const double fewest = niches.number(row, "fewest_cells");
+    EXPECT_GE(niches.number(row, "cells"), fewest);
+    EXPECT_LT(niches.number(row, "cells"), fewest + 5.0);
+    kinds.insert({fewest, niches.number(row, "feet"), niches.number(row, "layers")});
+    best = std::max(best, niches.optional_number(row, "fitness_body_lengths").value_or(0.0));
+  }
+  EXPECT_EQ(kinds.size(), niches.row_count()) << "two robots in a niche";
+  const io::CsvContents generations = io::read_csv(folder_ / "out/generations.csv");
+  EXPECT_EQ(generations.number(generations.row_count() - 1, "best_fitness_body_lengths"), best);
+  evolve("without.sqlite");
+  ASSERT_EQ(export_run("without.sqlite", "out", {"--levels", "1"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/niches.csv")) << "of another search";
 }
 
 TEST_F(Export, WritesTablesDesignAndSimulationsOfTheChampion) {
