@@ -158,7 +158,7 @@ std::vector<FittedParameter> fitted_parameters(const DetailSet& details, const D
     list.add(Quantity::plate_stretch_ratio);
     list.add(Quantity::plate_draw_in);
     list.add(Quantity::plate_rise);
-    list.add(Quantity::plate_draw_in_per_Pa);
+    list.add(Quantity::plate_draw_in_rate);
     list.add(Quantity::plate_edge_share);
     list.add(Quantity::plate_arm_ratio);
     list.add(Quantity::wide_volume_ratio);

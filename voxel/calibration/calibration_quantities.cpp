@@ -57,7 +57,7 @@ double& place_of(SurrogateParameters& p, Quantity quantity, std::size_t wall_cla
       return p.plate_draw_in;
     case Quantity::plate_rise:
       return p.plate_rise;
-    case Quantity::plate_draw_in_per_Pa:
+    case Quantity::plate_draw_in_rate:
       return p.plate_draw_in_per_Pa;
     case Quantity::plate_edge_share:
       return p.plate_edge_share;
@@ -106,7 +106,7 @@ const io::Words<Quantity>& quantity_words() {
                                          {"plate_stretch_ratio", Quantity::plate_stretch_ratio},
                                          {"plate_draw_in", Quantity::plate_draw_in},
                                          {"plate_rise", Quantity::plate_rise},
-                                         {"plate_draw_in_per_Pa", Quantity::plate_draw_in_per_Pa},
+                                         {"plate_draw_in_per_Pa", Quantity::plate_draw_in_rate},
                                          {"plate_edge_share", Quantity::plate_edge_share},
                                          {"plate_arm_ratio", Quantity::plate_arm_ratio},
                                          {"wide_volume_ratio", Quantity::wide_volume_ratio}};
@@ -135,7 +135,7 @@ bool is_positive(Quantity quantity) {
     case Quantity::joint_bending:
     case Quantity::joint_torsion:
     case Quantity::plate_stretch_ratio:
-    case Quantity::plate_draw_in_per_Pa:
+    case Quantity::plate_draw_in_rate:
     case Quantity::plate_arm_ratio:
     case Quantity::wide_volume_ratio:
       return true;
@@ -235,7 +235,7 @@ CalibrationBounds default_bounds(const SurrogateParameters& rough, double lowest
           {Quantity::plate_stretch_ratio, about(1.0, ratio_factor)},
           {Quantity::plate_draw_in, {0.0, largest_draw_in}},
           {Quantity::plate_rise, {0.0, largest_rise}},
-          {Quantity::plate_draw_in_per_Pa, about(1.0 / pressure_Pa, fading_factor)},
+          {Quantity::plate_draw_in_rate, about(1.0 / pressure_Pa, fading_factor)},
           {Quantity::plate_edge_share, {0.0, 1.0}},
           {Quantity::plate_arm_ratio, about(1.0, face_factor)},
           {Quantity::wide_volume_ratio, about(1.0, face_factor)}};

@@ -40,7 +40,7 @@ enum class Quantity {
   plate_stretch_ratio,
   plate_draw_in,
   plate_rise,
-  plate_draw_in_per_Pa,  ///< how soon plates rise and draw their edges in
+  plate_draw_in_rate,  ///< how soon plates rise and draw their edges in
   plate_edge_share,
   plate_arm_ratio,
   wide_volume_ratio

@@ -32,7 +32,7 @@ bool is_size(Quantity quantity) {
     case Quantity::plate_stretch_ratio:
     case Quantity::plate_draw_in:
     case Quantity::plate_rise:
-    case Quantity::plate_draw_in_per_Pa:
+    case Quantity::plate_draw_in_rate:
     case Quantity::plate_edge_share:
     case Quantity::plate_arm_ratio:
     case Quantity::wide_volume_ratio:
