@@ -37,7 +37,7 @@ TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten
 SPONGE_CELLS = (16, 19)  # those of a Hausdorff dimension of 2.5 to 2.7, as half of the paper's champions have
 # What a variant is, in the order of tables and of the figure.
-KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "sensitivity": "sensitivity, no difference"}
+KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "sensitivity": "sensitivity"}
 
 
 def variants():
@@ -393,7 +393,7 @@ def draw(rows):
     axes[2].set_xlabel(f"failed walks\nof {rows[0]['robots']} robots")
     axes[2].set_xlim(0, 1.35 * max(10, *(row["failed"] for row in rows)))
     axes[0].set_ylim(bottom, 0.3)
-    axes[0].set_yticks(places, [row["label"] for row in rows])
+    axes[0].set_yticks(places, [row["label"].replace(", ", ",\n") for row in rows])
     for place, kind in headings:
         axes[0].annotate(kind, (0, place), xytext=(-4, 0), xycoords=("axes fraction", "data"), textcoords="offset points", ha="right",
                          va="center", fontstyle="italic", annotation_clip=False)
