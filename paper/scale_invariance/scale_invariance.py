@@ -207,15 +207,18 @@ def statistics_of(group, label, rows, lower, upper):
 
 
 def comparisons(every):
-    """Evolved robots against random ones: Fisher's exact tests, differences of shares, and how many random ones reach the fitness of the evolved."""
+    """Evolved robots against random ones and against those that were selected at fewer scales: Fisher's exact tests, differences of shares,
+    and how many of the others reach the fitness of the slowest."""
     rows = []
+    by_scales = list(GROUPS)
     sets = with_fastest(every)
     for group in GROUPS:
         if group == "random" or group not in sets:
             continue
         speeds = fitness(sets[group][1])
         slowest = float(np.nanmin(speeds)) if np.isfinite(speeds).any() else np.inf
-        for other in [name for name in sets if name.startswith("random")]:
+        with_fewer = by_scales[1:by_scales.index(group)]
+        for other in [name for name in sets if name.startswith("random") or name in with_fewer]:
             for lower in LEVELS[:-1]:
                 samples = [moving(sets[name][1], lower, lower + 1) for name in (group, other)]
                 if not all(len(lower_m) for lower_m, _ in samples):

@@ -396,6 +396,16 @@ class ScaleInvariance(Case):
             self.assertAlmostEqual(float(found["more_carried_over"]), hits / 10 - 0.24, delta=1e-9)
             self.assertEqual(found["more_carried_over_outcome"], outcome)
 
+    def test_evolved_robots_are_compared_with_those_of_fewer_scales(self):
+        ends = {True: [0.03, 0.0, 0.09, 0.0, "", ""], False: [0.03, 0.0, 0.0, 0.09, "", ""]}
+        self.champions([[group, n, body(100 * place + n), *ends[n < hits]]
+                        for place, (group, hits) in enumerate((("one_scale", 0), ("two_scales", 9), ("three_scales", 9))) for n in range(10)])
+        self.done(self.script, "summary")
+        found = {row["groups"]: row for row in table_of(self.tree / "paper/scale_invariance/comparisons.csv")}
+        self.assertEqual(set(found), {"two_scales and one_scale", "three_scales and one_scale", "three_scales and two_scales"})
+        self.assertEqual([found[groups]["more_carried_over"] for groups in ("two_scales and one_scale", "three_scales and two_scales")], ["0.9", "0"])
+        self.assertEqual(found["two_scales and one_scale"]["more_carried_over_outcome"], "reproduced")
+
     def test_finds_what_the_dimension_does(self):
         # The more cells, the more robots turn, and the less their speed changes.
         rows = []
