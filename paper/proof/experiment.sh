@@ -14,12 +14,24 @@ part_on_request trial "3 min" "three seeds of the smallest searches; results and
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 proof() { "$study/proof.py" "$@"; }
 
+# The winner of a search with two layers of elements and at other dampings: folder of results, search, individual.
+winner_again() {
+  menger confirm "$1/$2.sqlite" "$1/studies/two_layers.toml" --individuals "$3" --output "$1/$2.layers.csv"
+  menger confirm "$1/$2.sqlite" "$1/studies/dampings.toml" --individuals "$3" --output "$1/$2.dampings.csv"
+}
+
+# The study of a search, and those that its robots walk by: folder of results, arm, seed, size.
+studies() {
+  local judge
+  proof study "$2" "$3" "$4" "$1/studies/$2_$3.toml"
+  for judge in fine elements two_layers dampings; do proof judge $judge "$4" "$1/studies/$judge.toml"; done
+}
+
 # A search of an arm, and what is wanted of it: arm, seed, size, folder of results, folder of tables.
 one_search() {
-  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions winner judge
+  local arm=$1 seed=$2 size=$3 out=$4 tables=$5 name=$1_$2 champions winner
   say "proof: seed $seed, $arm"
-  proof study "$arm" "$seed" "$size" "$out/studies/$name.toml"
-  for judge in fine elements two_layers dampings; do proof judge $judge "$size" "$out/studies/$judge.toml"; done
+  studies "$out" "$arm" "$seed" "$size"
   menger evolve "$out/studies/$name.toml" --output "$out/$name.sqlite"
   menger confirm "$out/$name.sqlite" "$out/studies/fine.toml" --top "$(proof number "$size" robots)" --output "$out/$name.fine.csv"
   menger export "$out/$name.sqlite" --output "$out/$name" --levels "$(proof level "$size")" --no-frames --no-pictures
@@ -31,10 +43,7 @@ one_search() {
   elif [ "$(proof number "$size" winners_again)" = True ]; then
     # With the search, not later: archives are not kept in git.
     winner=$(proof winner "$out" "$arm" "$seed")
-    if [ -n "$winner" ]; then
-      menger confirm "$out/$name.sqlite" "$out/studies/two_layers.toml" --individuals "$winner" --output "$out/$name.layers.csv"
-      menger confirm "$out/$name.sqlite" "$out/studies/dampings.toml" --individuals "$winner" --output "$out/$name.dampings.csv"
-    fi
+    [ -z "$winner" ] || winner_again "$out" "$name" "$winner"
   fi
   proof take "$out" "$tables" "$arm" "$seed"
 }
@@ -52,19 +61,18 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
 done
 
 # Searches whose archives are gone are made again, with the same seeds, until they have met the winner that the tables name.
+# shellcheck disable=SC2154  # $results is that of run_experiment.sh
 winners() {
-  local untried arm seed generations winner name judge
+  local untried arm seed generations winner name
   untried=$(proof untried "$study")
   while read -r arm seed generations winner <&3; do
     [ -n "$arm" ] || continue
     name=${arm}_$seed
     say "proof: the winner of $name, individual $winner"
-    proof study "$arm" "$seed" "$study/size.toml" "$results/studies/$name.toml"
+    studies "$results" "$arm" "$seed" "$study/size.toml"
     menger evolve "$results/studies/$name.toml" --generations "$generations" --output "$results/$name.sqlite"
-    for judge in fine two_layers dampings; do
-      proof judge $judge "$study/size.toml" "$results/studies/$judge.toml"
-      menger confirm "$results/$name.sqlite" "$results/studies/$judge.toml" --individuals "$winner" --output "$results/$name.${judge/two_/}.csv"
-    done
+    menger confirm "$results/$name.sqlite" "$results/studies/fine.toml" --individuals "$winner" --output "$results/$name.fine.csv"
+    winner_again "$results" "$name" "$winner"
     proof again "$results" "$study" "$arm" "$seed" || say "proof: $name is left out"
   done 3<<<"$untried"
   proof summary "$study"

@@ -331,9 +331,9 @@ def untried_winners(tables):
     for row in read_table(tables / "outcomes.csv"):
         if row["arm"] not in ON_ELEMENTS or not row["individual"] or not value(row["best_body_lengths"]):
             continue
-        of_search = [one for one in progress if is_of(one, row["arm"], row["seed"])]
         if all(any(is_of(one, row["arm"], row["seed"]) for one in table) for table in tried):
             continue
+        of_search = [one for one in progress if is_of(one, row["arm"], row["seed"])]
         generations = [int(one["generation"]) for one in of_search if int(one["champion"]) >= int(row["individual"])]
         yield row["arm"], row["seed"], min(generations) if generations else int(row["generations"]), row["individual"]
 
