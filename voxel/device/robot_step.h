@@ -204,7 +204,7 @@ class RobotStepper {
                                                                          arrays_.state + robot_.history + beam, robot_.beams());
     in_range = in_range && is_strain_in_range(step.state.deformation, ends.rest_length, robot_.strain_limit);
     if constexpr (Calibrated) note_strain(step.state.deformation.displacement.x / ends.rest_length);
-    return to_world(step.state.frame, step.elastic + step.damping);
+    return to_world(step.state.frame, loads_of(robot_, step, ends.rest_length));
   }
 
   /// Writes the loads of all beams, component by component: those on the upper ends, then those on the lower ones.

@@ -73,10 +73,13 @@ bool EnergyBalance::add_axis() {
       add(lower, loads.lower_force, loads.lower_moment);
       add(upper, loads.upper_force, loads.upper_moment);
     };
-    add_loads(elastic, step.elastic);
-    add_loads(bond_damping, step.damping);
+    const auto as_it_acts = [&](const BeamLoads<double>& loads) {
+      return d.balances_moments ? balanced(loads, step.state, ends.rest_length) : loads;
+    };
+    add_loads(elastic, as_it_acts(step.elastic));
+    add_loads(bond_damping, as_it_acts(step.damping));
 
-    const BeamLoads<double> loads = to_world(step.state.frame, step.elastic + step.damping);
+    const BeamLoads<double> loads = to_world(step.state.frame, loads_of(d, step, ends.rest_length));
     Lines<double> lower_line{};
     Lines<double> upper_line{};
     unpermute<Axis>(loads.lower_force, lower_line, slot::fx);

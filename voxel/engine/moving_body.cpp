@@ -41,6 +41,7 @@ void MovingBody<Real>::set_constants() {
   d.displacement_limit2 = static_cast<Real>(speed_limit * time_step * speed_limit * time_step);
   d.stop_rotation_in_static_friction = physics.stop_rotation_in_static_friction;
   d.single_precision_rest_lengths = physics.integration.single_precision_rest_lengths;
+  d.balances_moments = physics.beam_moments == BeamMoments::balanced;
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "voxel/kernels/line.h"
+#include "voxel/kernels/step_data.h"
 #include "voxel/laws/beam.h"
 
 namespace menger::voxel {
@@ -76,9 +77,17 @@ MENGER_HOST_DEVICE inline BeamEndRates<T> beam_end_rates(const EndInertias<T>& i
 template <class T>
 struct BeamStep {
   BeamState<T> state;
-  BeamLoads<T> elastic;  ///< in the frame of the beam
+  BeamLoads<T> elastic;  ///< in the frame of the beam, as the laws give them; see loads_of
   BeamLoads<T> damping;
 };
+
+/// Returns all loads on a beam in a step, in its frame.
+template <class T>
+MENGER_HOST_DEVICE inline BeamLoads<T> loads_of(const StepConstants<RealOf<T>>& d, const BeamStep<T>& step,
+                                                const T& rest_length) {
+  const BeamLoads<T> loads = step.elastic + step.damping;
+  return d.balances_moments ? balanced(loads, step.state, rest_length) : loads;
+}
 
 /// Returns the damping loads of one beam per lane in this step, in its frame.
 /// @tparam Velocity damping is from velocities, see DampingMode

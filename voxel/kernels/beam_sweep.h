@@ -66,7 +66,7 @@ MENGER_INLINED_WHOLE bool sweep_axis(const StepData<RealOf<T>>& d) {
     const MaskOf<T> in_range = is_strain_in_range(step.state.deformation, ends.rest_length, strain_limit);
     out_of_range = out_of_range || any(!in_range);
 
-    const BeamLoads<T> loads = to_world(step.state.frame, step.elastic + step.damping);
+    const BeamLoads<T> loads = to_world(step.state.frame, loads_of(d, step, ends.rest_length));
     Lines<T> lower;
     Lines<T> upper;
     lower.value[3] = lower.value[7] = upper.value[3] = upper.value[7] = constant<T>(0.0);

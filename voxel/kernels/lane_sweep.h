@@ -114,6 +114,7 @@ inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const Bea
   const BeamState<T> state = beam_state(ends, history.small);
   BeamLoads<T> loads = beam_elastic_loads<false>(c, state.deformation, ends.rest_length);
   loads = loads + damping_of_beam<Velocity, false, T>(d.rate_scale, c, state, history, ends, rates);
+  if (d.balances_moments) loads = balanced(loads, state, ends.rest_length);
   store_history<Velocity>(remembered, pack_stride<T>(1), state);
   in_range = is_strain_in_range(state.deformation, ends.rest_length, T(d.strain_limit));
   return to_world(state.frame, loads);

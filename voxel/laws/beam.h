@@ -171,7 +171,8 @@ MENGER_HOST_DEVICE inline BeamState<T> beam_state(const BeamEnds<T>& ends, const
   return state;
 }
 
-/// Returns the elastic loads of a beam, in its frame. @cite hiller2014dynamic
+/// Returns the elastic loads of a beam, in its frame. Their moments balance their forces only where the beam has the length that
+/// its coefficients were made for; see balanced. @cite hiller2014dynamic
 /// @tparam Shears false leaves out the terms of turn_difference, for Euler-Bernoulli beams, which have none
 template <bool Shears = true, class T>
 MENGER_HOST_DEVICE inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients<T>& c, const BeamDeformation<T>& e,
@@ -194,6 +195,32 @@ MENGER_HOST_DEVICE inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients
     loads.upper_moment = loads.upper_moment - Vector3<T>{constant<T>(0.0), difference_y, difference_z};
   }
   return loads;
+}
+
+/// Returns loads of a beam whose moments balance its forces at its present length: as a whole they push and turn nothing.
+///
+/// Those of beam_elastic_loads and beam_damping balance at the length for which the coefficients were made. A driven beam is
+/// longer or shorter, and the moment that is left over, force times change of length, turns a floating body by itself. Here
+///
+///   lower moment + upper moment + d x upper force = 0,   d: separation of the ends, in the frame of the beam
+///
+/// In the small-angle state the moment on the lower end is what makes it so. Then the elastic loads are the derivatives of
+/// beam_energy by the separation and the rotation of the upper end in the frame of the lower one. In the large-angle state d lies
+/// along the beam, and the transverse force is the sum of the moments over its length.
+/// @param loads of a beam in this state, in its frame, with opposite forces on its ends
+template <class T>
+MENGER_HOST_DEVICE inline BeamLoads<T> balanced(const BeamLoads<T>& loads, const BeamState<T>& state, const T& rest_length) {
+  const T zero = constant<T>(0.0);
+  const Vector3<T>& u = state.deformation.displacement;
+  const Vector3<T> separation = {u.x + rest_length, u.y, u.z};
+  const Vector3<T> net = loads.lower_moment + loads.upper_moment + cross(separation, loads.upper_force);
+  const MaskOf<T> large = !state.small;
+  const T per_length = constant<T>(1.0) / select(large, separation.x, constant<T>(1.0));
+  const Vector3<T> across = {zero, net.z * per_length, -(net.y * per_length)};
+  const Vector3<T> push = select<T>(large, across, {zero, zero, zero});
+  // No force turns a beam about its own axis: what is left of the twist is taken from the lower end in either state.
+  const Vector3<T> turn = select<T>(large, Vector3<T>{net.x, zero, zero}, net);
+  return {loads.lower_force + push, loads.lower_moment - turn, loads.upper_force - push, loads.upper_moment};
 }
 
 /// Returns the elastic energy of a beam, J. Its derivatives are the elastic loads.

@@ -20,6 +20,8 @@ std::string_view to_string(ActuationMode mode) {
 
 std::string_view to_string(DampingMode mode) { return mode == DampingMode::increments ? "increments" : "velocity"; }
 
+std::string_view to_string(BeamMoments moments) { return moments == BeamMoments::published ? "published" : "balanced"; }
+
 std::string_view to_string(BondDamping treatment) {
   return treatment == BondDamping::explicit_step ? "explicit" : "semi-implicit";
 }

@@ -65,6 +65,13 @@ enum class DampingMode {
   velocity     ///< from the velocities of the ends and the rate of the rest length: conserves momentum, works in float
 };
 
+/// Which moments the ends of a beam feel.
+enum class BeamMoments {
+  published,  ///< those of Voxelyze and voxcraft-sim, which balance the forces of an undriven beam only: driven bodies turn by
+              ///< themselves
+  balanced    ///< those that balance its forces at any length: floating bodies keep their angular momentum. Needs solid voxels
+};
+
 /// How a step takes the damping of beams; see effective_bond_ratio.
 enum class BondDamping {
   explicit_step,  ///< with the velocities at the start of the step: limits the step in full bodies
@@ -120,6 +127,7 @@ struct Physics {
   std::optional<CalibratedBody> surrogate;
 
   DampingRatios damping_ratios;
+  BeamMoments beam_moments = BeamMoments::published;
   double gravity_m_s2 = 9.81;  ///< downwards, >= 0
   bool floor = true;           ///< rigid plane at half a voxel edge below the centres of the lowest layer of the grid
 
@@ -143,5 +151,6 @@ std::string_view to_string(ActuationMode mode);
 std::string_view to_string(DampingMode mode);
 std::string_view to_string(NumberType number);
 std::string_view to_string(BondDamping treatment);  ///< "explicit" or "semi-implicit"
+std::string_view to_string(BeamMoments moments);
 
 }  // namespace menger::voxel

@@ -69,6 +69,11 @@ void describe_materials(io::StudyVisitor& visitor, Physics& physics, const Voxel
     describe_both(visitor, density, materials, &VoxelMaterial::density_kg_m3, io::positive());
     visitor.number({"lateral_coupling", "How much a body becomes thinner when it is stretched. 0 means not at all."},
                    physics.lateral_coupling, fraction_below_one);
+    visitor.word(
+        {"beam_moments",
+         "Moments on the ends of a beam. \"published\": as Voxelyze has them, they balance the forces of undriven beams only, "
+         "so that driven bodies turn by themselves. \"balanced\": they balance the forces at any length."},
+        physics.beam_moments, io::words_of(BeamMoments::published, BeamMoments::balanced));
   });
   // Each material is compared with the values before, so that reading the first does not hide a difference of the second.
   const std::array<VoxelMaterial, 2> before = materials;
@@ -174,6 +179,7 @@ void forget_what_parameters_decide(Physics& physics) {
   }
   physics.lateral_coupling = 0.0;
   physics.damping_ratios.bond = DampingRatios{}.bond;
+  physics.beam_moments = BeamMoments::published;
   physics.actuation.amplitude = Actuation{}.amplitude;
   physics.integration.bond_damping = BondDamping::explicit_step;
   physics.stop_rotation_in_static_friction = false;

@@ -135,6 +135,7 @@ TEST(DeviceSteps, GiveTheBytesOfTheEngineForOtherDrivesAndStops) {
     physics.integration.single_precision_rest_lengths = true;
     expect_same_bytes(random_bodies(3), physics, 0.03);
     physics.actuation.mode = ActuationMode::hold;
+    physics.beam_moments = BeamMoments::balanced;
     expect_same_bytes(random_bodies(3), physics, 0.03);
   }
 }

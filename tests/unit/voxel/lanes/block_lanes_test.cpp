@@ -145,6 +145,8 @@ TEST(BlockLanes, GiveTheBytesOfVoxelByVoxelAtTheThirdLevel) {
 TEST(BlockLanes, GiveTheBytesOfVoxelByVoxelInEveryScene) {
   for (Physics physics : block_modes()) {
     const meshes::Polycube body = meshes::fractal(quadruped(), 2);
+    physics.beam_moments = BeamMoments::balanced;
+    expect_same_as_voxel_by_voxel(body, physics, 300);
     physics.integration.single_precision_rest_lengths = true;
     physics.stop_rotation_in_static_friction = !physics.stop_rotation_in_static_friction;
     expect_same_as_voxel_by_voxel(body, physics, 300);

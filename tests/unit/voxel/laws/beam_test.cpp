@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -46,9 +47,107 @@ TEST(BeamElasticLoads, BalanceForceAndMomentOfTheUndeformedLength) {
   EXPECT_NEAR(loads.lower_moment.y + loads.upper_moment.y - edge * loads.upper_force.z, 0.0, 1e-17);
 }
 
+TEST(BeamElasticLoads, TurnALongerBeamByTheForceTimesTheChangeOfLength) {
+  // In the large-angle state the line between the ends is the x axis, and what is left of the moments is (length - edge) x force.
+  const double rest = 1.14 * edge;
+  const double length = 1.12 * edge;
+  const BeamLoads<double> loads =
+      beam_elastic_loads(coefficients(), deformation({length - rest, 0.0, 0.0, 0.02, 0.01, 0.0, -0.03, 0.05}), rest);
+  const double net_y = loads.lower_moment.y + loads.upper_moment.y - length * loads.upper_force.z;
+  const double net_z = loads.lower_moment.z + loads.upper_moment.z + length * loads.upper_force.y;
+  EXPECT_NEAR(net_y, -(length - edge) * loads.upper_force.z, 1e-17);
+  EXPECT_NEAR(net_z, (length - edge) * loads.upper_force.y, 1e-17);
+  EXPECT_GT(std::hypot(net_y, net_z), 1e-2 * coefficients().turn * 0.05);
+}
+
 /// Ends of a beam whose lower voxel is turned by `lower`, whose upper one by `upper`, at a separation.
 BeamEnds<double> ends(const Vector3<double>& separation, const Vector3<double>& lower, const Vector3<double>& upper) {
   return {separation, quaternion_of(lower), quaternion_of(upper), edge};
+}
+
+/// A beam that is driven to another length, sheared and bent.
+BeamEnds<double> driven_ends(double rest_length) {
+  BeamEnds<double> driven = ends({1.11 * edge, 0.03 * edge, -0.02 * edge}, {0.01, -0.02, 0.015}, {0.03, 0.01, -0.04});
+  driven.rest_length = rest_length;
+  return driven;
+}
+
+BeamState<double> state_of(const BeamEnds<double>& ends, bool small) {
+  const Rotation<double> frame = matrix(ends.lower);
+  return beam_in_state(ends, frame, rotate_back(frame, ends.separation), small);
+}
+
+TEST(BalancedBeam, IsPushedAndTurnedByNothing) {
+  const BeamCoefficients<double> c = coefficients();
+  for (const bool small : {true, false}) {
+    for (const double rest : {0.86 * edge, 1.14 * edge}) {
+      const BeamEnds<double> driven = driven_ends(rest);
+      const BeamState<double> state = state_of(driven, small);
+      const BeamDeformation<double> rate = deformation({0.01, small ? 0.02 : 0.0, small ? -0.01 : 0.0, 0.3, 0.1, 0.2, -0.4, 0.5});
+      BeamCoefficients<double> damped = c;
+      damped.damping_lower = damped.damping_upper = 1e-3;
+      for (const BeamLoads<double>& published : {beam_elastic_loads(c, state.deformation, rest), beam_damping(damped, rate)}) {
+        const auto net = [&](const BeamLoads<double>& loads) {
+          const BeamLoads<double> world = to_world(state.frame, loads);
+          const Vector3<double> turn = world.lower_moment + world.upper_moment + cross(driven.separation, world.upper_force);
+          return std::sqrt(dot(turn, turn));
+        };
+        const BeamLoads<double> loads = balanced(published, state, rest);
+        const double scale = std::sqrt(dot(loads.upper_moment, loads.upper_moment));
+        EXPECT_GT(net(published), 1e-2 * scale) << small;
+        EXPECT_LT(net(loads), 1e-13 * scale) << small;
+        const Vector3<double> push = loads.lower_force + loads.upper_force;
+        EXPECT_LT(std::sqrt(dot(push, push)) * edge, 1e-13 * scale) << small;
+      }
+    }
+  }
+}
+
+TEST(BalancedBeam, TakesNothingFromLoadsThatBalance) {
+  // At the length of the coefficients, and with no axial force across a shear, nothing is left over.
+  BeamEnds<double> undriven = ends({edge, 0.0, 0.0}, {0.0, -0.02, 0.015}, {0.03, 0.01, -0.04});
+  const BeamState<double> state = state_of(undriven, false);
+  const BeamLoads<double> published = beam_elastic_loads(coefficients(), state.deformation, edge);
+  const BeamLoads<double> loads = balanced(published, state, edge);
+  EXPECT_NEAR(loads.upper_force.y, published.upper_force.y, 1e-14 * std::abs(published.upper_force.y));
+  EXPECT_NEAR(loads.upper_force.z, published.upper_force.z, 1e-14 * std::abs(published.upper_force.z));
+  EXPECT_NEAR(loads.lower_moment.y, published.lower_moment.y, 1e-14 * std::abs(published.lower_moment.y));
+}
+
+TEST(BalancedBeam, HasTheLoadsThatItsEnergyGives) {
+  // Every derivative of the energy by the poses of both ends, in the small-angle state. It leaves out terms of the order of the
+  // angles between the ends, 0.03, in moments of the upper end, and so in those of the lower one.
+  const BeamCoefficients<double> c = coefficients();
+  const double rest = 1.14 * edge;
+  const auto energy = [&](const BeamEnds<double>& at) { return beam_energy(c, state_of(at, true).deformation, rest); };
+  const BeamEnds<double> driven = driven_ends(rest);
+  const BeamState<double> state = state_of(driven, true);
+  const BeamLoads<double> published = to_world(state.frame, beam_elastic_loads(c, state.deformation, rest));
+  const BeamLoads<double> loads = to_world(state.frame, balanced(beam_elastic_loads(c, state.deformation, rest), state, rest));
+  const double scale = std::sqrt(dot(loads.lower_moment, loads.lower_moment));
+  double published_error = 0.0;
+  for (const auto component : {&Vector3<double>::x, &Vector3<double>::y, &Vector3<double>::z}) {
+    const auto slope = [&](auto&& change, double step) {
+      BeamEnds<double> above = driven;
+      BeamEnds<double> below = driven;
+      change(above, step);
+      change(below, -step);
+      return (energy(above) - energy(below)) / (2.0 * step);
+    };
+    const auto turned = [component](const Quaternion<double>& end, double angle) {
+      Vector3<double> turn{0.0, 0.0, 0.0};
+      turn.*component = angle;
+      return quaternion_of(turn) * end;
+    };
+    const double force = -slope([component](BeamEnds<double>& e, double step) { e.separation.*component += step; }, 1e-8);
+    const double upper = -slope([&](BeamEnds<double>& e, double angle) { e.upper = turned(e.upper, angle); }, 1e-6);
+    const double lower = -slope([&](BeamEnds<double>& e, double angle) { e.lower = turned(e.lower, angle); }, 1e-6);
+    EXPECT_NEAR(loads.upper_force.*component, force, 1e-6 * scale / edge);
+    EXPECT_NEAR(loads.upper_moment.*component, upper, 0.03 * scale);
+    EXPECT_NEAR(loads.lower_moment.*component, lower, 0.03 * scale);
+    published_error = std::max(published_error, std::abs(published.lower_moment.*component - lower));
+  }
+  EXPECT_GT(published_error, 0.1 * scale);
 }
 
 TEST(BeamState, SwitchesWithHysteresis) {
