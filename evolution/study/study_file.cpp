@@ -268,13 +268,14 @@ bool states_model(const io::StudyVisitor& visitor) {
 }
 
 /// Describes what moves the bodies.
-void describe_physics(io::StudyVisitor& visitor, Study& study) {
+void describe_physics(io::StudyVisitor& visitor, Part part, Study& study) {
   const bool has_elements = uses_elements(study);
   voxel::describe(visitor, study.physics,
                   {.has_voxels = study.model != EvaluationModel::finite_elements,
                    .pressure_Pa = has_elements ? &study.silicone.module.pressure_Pa : nullptr,
                    .pressure_condition = "[surrogate], or evaluation.model = \"finite_elements\" or \"both\"",
-                   .brings_pressure = has_elements && states_model(visitor)});
+                   .brings_pressure = has_elements && states_model(visitor),
+                   .is_identity = part == Part::identity});
   visitor.only_if(has_elements, "evaluation.model = \"finite_elements\" or \"both\"", [&] {
     visitor.table({"elements", "The finite elements."}, [&] {
       describe_elements(visitor, study.silicone.elements, study.silicone.elements_through_wall);
@@ -321,7 +322,7 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
                 "cannot be combined with [check_dt]: there is no one walk to be checked");
   plan.scenarios = study.robust ? scenarios_of(study).size() : 1;
   plan.quantile = study.robust ? study.robust->quantile : 0.0;
-  describe_physics(visitor, study);
+  describe_physics(visitor, part, study);
 }
 
 /// Refuses a key of earlier versions, which could have one value only.

@@ -200,7 +200,7 @@ class RobotStepper {
       }
       return rate;
     };
-    const BeamStep<Real> step = step_of_beam<Velocity, Calibrated, Real>(rate_scale, c, ends, rates,
+    const BeamStep<Real> step = step_of_beam<Velocity, Calibrated, Real>(rate_scale, robot_.balances_moments, c, ends, rates,
                                                                          arrays_.state + robot_.history + beam, robot_.beams());
     in_range = in_range && is_strain_in_range(step.state.deformation, ends.rest_length, robot_.strain_limit);
     if constexpr (Calibrated) note_strain(step.state.deformation.displacement.x / ends.rest_length);

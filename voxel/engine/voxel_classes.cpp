@@ -27,7 +27,8 @@ BeamCoefficients<double> beam_between(const Physics& physics, std::size_t lower,
   const double ratio = effective_bond_ratio(physics);
   c.damping_lower = ratio * std::sqrt(voxel_mass_kg(physics.materials[lower], edge));
   c.damping_upper = ratio * std::sqrt(voxel_mass_kg(physics.materials[upper], edge));
-  if (physics.integration.damping == DampingMode::velocity)
+  const bool balances = physics.beam_moments == BeamMoments::balanced;
+  if (balances || physics.integration.damping == DampingMode::velocity)
     c.damping_lower = c.damping_upper = 0.5 * (c.damping_lower + c.damping_upper);
   return c;
 }

@@ -108,14 +108,15 @@ MENGER_HOST_DEVICE inline BeamLoads<T> damping_of_beam(const RealOf<T>& rate_sca
 
 /// Returns the state of one beam per lane in this step with its loads, and stores the state for the next step. Parameters are
 /// those of damping_of_beam.
+/// @param balances whether the moments of the beam balance its forces, see balanced
 /// @param history of the beam, history_values numbers or packs, `stride` numbers from one to the next
 template <bool Velocity, bool Shears, class T, class Rates>
-MENGER_HOST_DEVICE inline BeamStep<T> step_of_beam(const RealOf<T>& rate_scale, const BeamCoefficients<T>& c,
+MENGER_HOST_DEVICE inline BeamStep<T> step_of_beam(const RealOf<T>& rate_scale, bool balances, const BeamCoefficients<T>& c,
                                                    const BeamEnds<T>& ends, const Rates& rates, RealOf<T>* history,
                                                    std::size_t stride) {
   const BeamHistory<T> last = load_history<T>(history, stride);
   BeamStep<T> step;
-  step.state = beam_state(ends, last.small);
+  step.state = balances ? balanced_state(ends) : beam_state(ends, last.small);
   step.elastic = beam_elastic_loads<Shears>(c, step.state.deformation, ends.rest_length);
   step.damping = damping_of_beam<Velocity, Shears, T>(rate_scale, c, step.state, last, ends, rates);
   store_history<Velocity>(history, stride, step.state);

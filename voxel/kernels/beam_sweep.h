@@ -48,7 +48,8 @@ inline BeamStep<T> beam_step(const StepData<RealOf<T>>& d, const BeamAxisData<Re
     }
     return rate;
   };
-  return step_of_beam<Velocity, has_own_lengths(Variety), T>(d.rate_scale, c, ends, rates, beams.history + i, beams.count);
+  return step_of_beam<Velocity, has_own_lengths(Variety), T>(d.rate_scale, d.balances_moments, c, ends, rates, beams.history + i,
+                                                             beams.count);
 }
 
 template <int Axis, bool Velocity, BeamVariety Variety, class T>

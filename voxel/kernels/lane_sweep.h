@@ -111,7 +111,7 @@ inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const Bea
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
   // Not by step_of_beam: elastic and damping loads apart from each other need more registers than there are.
   const BeamHistory<T> history = load_history<T>(remembered, pack_stride<T>(1));
-  const BeamState<T> state = beam_state(ends, history.small);
+  const BeamState<T> state = d.balances_moments ? balanced_state(ends) : beam_state(ends, history.small);
   BeamLoads<T> loads = beam_elastic_loads<false>(c, state.deformation, ends.rest_length);
   loads = loads + damping_of_beam<Velocity, false, T>(d.rate_scale, c, state, history, ends, rates);
   if (d.balances_moments) loads = balanced(loads, state, ends.rest_length);

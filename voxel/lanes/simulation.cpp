@@ -75,6 +75,8 @@ std::vector<std::string> check(const meshes::Polycube& body, double cell_edge_m,
           "float32 does not work with damping from increments");
   require(!physics.surrogate || physics.integration.bond_damping == BondDamping::explicit_step,
           "the damping of a calibrated body is part of its parameters");
+  require(!physics.surrogate || physics.beam_moments == BeamMoments::published,
+          "a calibrated body has published moments of beams, with which its parameters were fitted");
   require(positive(physics.limits.speed_fraction) && positive(physics.limits.strain), "divergence limits must be > 0");
   std::size_t voxels = body.count();
   std::vector<std::string> outside;

@@ -197,32 +197,6 @@ MENGER_HOST_DEVICE inline BeamLoads<T> beam_elastic_loads(const BeamCoefficients
   return loads;
 }
 
-/// Returns loads of a beam whose moments balance its forces at its present length: as a whole they push and turn nothing.
-///
-/// Those of beam_elastic_loads and beam_damping balance at the length for which the coefficients were made. A driven beam is
-/// longer or shorter, and the moment that is left over, force times change of length, turns a floating body by itself. Here
-///
-///   lower moment + upper moment + d x upper force = 0,   d: separation of the ends, in the frame of the beam
-///
-/// In the small-angle state the moment on the lower end is what makes it so. Then the elastic loads are the derivatives of
-/// beam_energy by the separation and the rotation of the upper end in the frame of the lower one. In the large-angle state d lies
-/// along the beam, and the transverse force is the sum of the moments over its length.
-/// @param loads of a beam in this state, in its frame, with opposite forces on its ends
-template <class T>
-MENGER_HOST_DEVICE inline BeamLoads<T> balanced(const BeamLoads<T>& loads, const BeamState<T>& state, const T& rest_length) {
-  const T zero = constant<T>(0.0);
-  const Vector3<T>& u = state.deformation.displacement;
-  const Vector3<T> separation = {u.x + rest_length, u.y, u.z};
-  const Vector3<T> net = loads.lower_moment + loads.upper_moment + cross(separation, loads.upper_force);
-  const MaskOf<T> large = !state.small;
-  const T per_length = constant<T>(1.0) / select(large, separation.x, constant<T>(1.0));
-  const Vector3<T> across = {zero, net.z * per_length, -(net.y * per_length)};
-  const Vector3<T> push = select<T>(large, across, {zero, zero, zero});
-  // No force turns a beam about its own axis: what is left of the twist is taken from the lower end in either state.
-  const Vector3<T> turn = select<T>(large, Vector3<T>{net.x, zero, zero}, net);
-  return {loads.lower_force + push, loads.lower_moment - turn, loads.upper_force - push, loads.upper_moment};
-}
-
 /// Returns the elastic energy of a beam, J. Its derivatives are the elastic loads.
 template <class T>
 MENGER_HOST_DEVICE inline T beam_energy(const BeamCoefficients<T>& c, const BeamDeformation<T>& e, const T& rest_length) {
@@ -316,6 +290,32 @@ MENGER_HOST_DEVICE inline BeamDeformation<T> rate_from_velocities(const BeamStat
   }
   rate.upper_angle = rotation_vector_rate(e.upper_angle, rate.upper_angle);
   return rate;
+}
+
+/// Returns the deformation of a beam with balanced moments. It is in the large-angle state at any angle, so that neither end
+/// comes first and nothing jumps where the state would change. state_changed is false.
+template <class T>
+MENGER_HOST_DEVICE inline BeamState<T> balanced_state(const BeamEnds<T>& ends) {
+  const Rotation<T> frame = matrix(ends.lower);
+  return beam_in_state(ends, frame, rotate_back(frame, ends.separation), nowhere<T>());
+}
+
+/// Returns loads of a beam whose moments balance its forces at its present length: as a whole they push and turn nothing.
+///
+/// The transverse force is what the moments M on both ends ask for, with l the length of the beam along x:
+///
+///   F_y = -(M_lower + M_upper)_z / l,   F_z = (M_lower + M_upper)_y / l   on the upper end, the opposite on the lower one
+///
+/// Elastic loads are then the derivatives of beam_energy by the poses of both ends, to first order in the angles. The loads of
+/// beam_elastic_loads are so only where l is the length that the coefficients were made for, and those of beam_damping leave half
+/// of the moment of their forces at any length. What is left over turns a floating body by itself.
+/// @param loads in the frame of the beam, of balanced_state, with opposite axial forces and twists on the two ends
+template <class T>
+MENGER_HOST_DEVICE inline BeamLoads<T> balanced(const BeamLoads<T>& loads, const BeamState<T>& state, const T& rest_length) {
+  const T per_length = constant<T>(1.0) / (state.deformation.displacement.x + rest_length);
+  const Vector3<T> moment = loads.lower_moment + loads.upper_moment;
+  const Vector3<T> upper = {loads.upper_force.x, -(moment.z * per_length), moment.y * per_length};
+  return {-upper, loads.lower_moment, upper, loads.upper_moment};
 }
 
 /// Turns loads from the beam's frame to world axes (permuted).

@@ -65,11 +65,10 @@ enum class DampingMode {
   velocity     ///< from the velocities of the ends and the rate of the rest length: conserves momentum, works in float
 };
 
-/// Which moments the ends of a beam feel.
+/// Whether the moments on the ends of a beam balance its forces; see balanced in beam.h.
 enum class BeamMoments {
-  published,  ///< those of Voxelyze and voxcraft-sim, which balance the forces of an undriven beam only: driven bodies turn by
-              ///< themselves
-  balanced    ///< those that balance its forces at any length: floating bodies keep their angular momentum. Needs solid voxels
+  published,  ///< those of Voxelyze and voxcraft-sim, which do not while a body is driven: it turns by itself
+  balanced    ///< those that do: floating bodies keep their momentum and angular momentum. Needs solid voxels
 };
 
 /// How a step takes the damping of beams; see effective_bond_ratio.

@@ -59,7 +59,7 @@ void describe_own(io::StudyVisitor& visitor, VoxelMaterial& material, const Voxe
                &VoxelMaterial::kinetic_friction, io::non_negative());
 }
 
-void describe_materials(io::StudyVisitor& visitor, Physics& physics, const VoxelKeys& keys) {
+void describe_materials(io::StudyVisitor& visitor, Physics& physics, const VoxelKeys& keys, bool is_identity) {
   std::array<VoxelMaterial, 2>& materials = physics.materials;
   visitor.only_if(keys.are_by_itself, condition_of(keys), [&] {
     describe_both(visitor, {"youngs_modulus_Pa", "Young's modulus of both materials.", "1e4"}, materials,
@@ -69,10 +69,11 @@ void describe_materials(io::StudyVisitor& visitor, Physics& physics, const Voxel
     describe_both(visitor, density, materials, &VoxelMaterial::density_kg_m3, io::positive());
     visitor.number({"lateral_coupling", "How much a body becomes thinner when it is stretched. 0 means not at all."},
                    physics.lateral_coupling, fraction_below_one);
+    if (is_identity && physics.beam_moments == BeamMoments::published) return;
     visitor.word(
         {"beam_moments",
-         "Moments on the ends of a beam. \"published\": as Voxelyze has them, they balance the forces of undriven beams only, "
-         "so that driven bodies turn by themselves. \"balanced\": they balance the forces at any length."},
+         "Whether moments on the ends of a beam balance its forces. published: as in Voxelyze, where they do not while a "
+         "body is driven, so that it turns by itself; balanced: they do."},
         physics.beam_moments, io::words_of(BeamMoments::published, BeamMoments::balanced));
   });
   // Each material is compared with the values before, so that reading the first does not hide a difference of the second.
@@ -210,7 +211,7 @@ void describe(io::StudyVisitor& visitor, Physics& physics, const PhysicsUse& use
                    physics.gravity_m_s2, io::non_negative());
   });
   visitor.table({"ground", "Ground: a plane below the lowest voxels."}, [&] { describe_ground(visitor, physics, keys); });
-  visitor.table({"materials", "Materials of the voxels."}, [&] { describe_materials(visitor, physics, keys); });
+  visitor.table({"materials", "Materials of the voxels."}, [&] { describe_materials(visitor, physics, keys, use.is_identity); });
   visitor.only_if(use.has_voxels, as_voxels, [&] {
     visitor.table({"damping", "Damping, as fractions of critical damping."}, [&] {
       visitor.only_if(!is_calibrated, by_itself, [&] {
@@ -249,6 +250,11 @@ Physics read_physics(const io::TomlTable& table, const Physics& defaults) {
   return physics;
 }
 
-std::string physics_text(const Physics& physics) { return io::described_text(physics); }
+std::string physics_text(const Physics& physics) {
+  Physics described = physics;
+  io::StudyTextWriter writer;
+  describe(writer, described, {.is_identity = true});
+  return writer.text();
+}
 
 }  // namespace menger::voxel

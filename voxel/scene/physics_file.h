@@ -18,6 +18,7 @@ struct PhysicsUse {
   std::array<double, 2>* pressure_Pa = nullptr;
   std::string_view pressure_condition = "[surrogate]";  ///< for people: when there are pressures
   bool brings_pressure = false;                         ///< whether the study that is being read did not drive chambers before
+  bool is_identity = false;  ///< leaves out keys that archives of earlier versions do not have, where they have their defaults
 };
 
 /// Describes the keys of the physics of a scene or study. Keys that the parameters of a `[surrogate]` decide are refused beside
@@ -33,8 +34,8 @@ void describe(io::StudyVisitor& visitor, Physics& physics, const PhysicsUse& use
 /// left to the caller, who ends with table.finish(). @throws io::InputError with file, key and value
 Physics read_physics(const io::TomlTable& table, const Physics& defaults = {});
 
-/// All values of a physics as TOML for read_physics, exact and always in the same order. Equal text means equal physics, and
-/// reading the text gives the same physics again. It serves as the identity of a physics.
+/// The values of a physics as TOML for read_physics, exact and always in the same order, as they identify it in archives. Equal
+/// text means equal physics, and reading the text gives the same physics again; beam_moments is there unless it is "published".
 std::string physics_text(const Physics& physics);
 
 }  // namespace menger::voxel

@@ -292,6 +292,16 @@ TEST_F(StudyFile, WhatIsMeasuredBelongsToTheIdentity) {
   EXPECT_NE(identity_text(read(head + "[time]\nmeasure_from_s = 1\n")), usual);
 }
 
+TEST_F(StudyFile, MomentsOfBeamsBelongToTheIdentityUnlessTheyArePublished) {
+  const Study usual = read("preset = \"paper\"\n");
+  EXPECT_EQ(identity_text(usual).find("beam_moments"), std::string::npos) << "archives of earlier versions go on";
+  EXPECT_NE(resolved_text(usual).find("beam_moments = \"published\""), std::string::npos);
+  const Study balanced = read("preset = \"paper\"\n[materials]\nbeam_moments = \"balanced\"\n");
+  EXPECT_NE(identity_text(balanced), identity_text(usual));
+  EXPECT_EQ(study_from_text(resolved_text(balanced), "resolved.toml"), balanced);
+  EXPECT_NE(evaluator_of(balanced)->physics(), evaluator_of(usual)->physics());
+}
+
 TEST_F(StudyFile, TheDeviceBelongsToTheIdentityUnlessItIsTheProcessor) {
   const Study usual = read("preset = \"paper\"\n");
   EXPECT_EQ(usual.device, io::Device::cpu);

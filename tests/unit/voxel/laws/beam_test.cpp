@@ -72,59 +72,89 @@ BeamEnds<double> driven_ends(double rest_length) {
   return driven;
 }
 
-BeamState<double> state_of(const BeamEnds<double>& ends, bool small) {
-  const Rotation<double> frame = matrix(ends.lower);
-  return beam_in_state(ends, frame, rotate_back(frame, ends.separation), small);
+/// What is left over of the moments on both ends and those of the forces, about the lower end: zero if they balance.
+Vector3<double> net_moment(const BeamEnds<double>& ends, const BeamState<double>& state, const BeamLoads<double>& in_frame) {
+  const BeamLoads<double> loads = to_world(state.frame, in_frame);
+  return loads.lower_moment + loads.upper_moment + cross(ends.separation, loads.upper_force);
+}
+
+double size(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+TEST(BeamDamping, LeavesHalfOfTheMomentOfItsForceAtAnyLength) {
+  // Shear of an undriven beam without rotation: the moments on both ends are a quarter of force times length each.
+  BeamCoefficients<double> c = coefficients();
+  c.damping_lower = c.damping_upper = 1e-3;
+  const BeamLoads<double> loads = beam_damping(c, deformation({0.0, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}));
+  const double net = loads.lower_moment.z + loads.upper_moment.z + edge * loads.upper_force.y;
+  EXPECT_NEAR(net, 0.5 * edge * loads.upper_force.y, 1e-12 * std::abs(net));
+  EXPECT_NE(net, 0.0);
 }
 
 TEST(BalancedBeam, IsPushedAndTurnedByNothing) {
-  const BeamCoefficients<double> c = coefficients();
-  for (const bool small : {true, false}) {
-    for (const double rest : {0.86 * edge, 1.14 * edge}) {
-      const BeamEnds<double> driven = driven_ends(rest);
-      const BeamState<double> state = state_of(driven, small);
-      const BeamDeformation<double> rate = deformation({0.01, small ? 0.02 : 0.0, small ? -0.01 : 0.0, 0.3, 0.1, 0.2, -0.4, 0.5});
-      BeamCoefficients<double> damped = c;
-      damped.damping_lower = damped.damping_upper = 1e-3;
-      for (const BeamLoads<double>& published : {beam_elastic_loads(c, state.deformation, rest), beam_damping(damped, rate)}) {
-        const auto net = [&](const BeamLoads<double>& loads) {
-          const BeamLoads<double> world = to_world(state.frame, loads);
-          const Vector3<double> turn = world.lower_moment + world.upper_moment + cross(driven.separation, world.upper_force);
-          return std::sqrt(dot(turn, turn));
-        };
-        const BeamLoads<double> loads = balanced(published, state, rest);
-        const double scale = std::sqrt(dot(loads.upper_moment, loads.upper_moment));
-        EXPECT_GT(net(published), 1e-2 * scale) << small;
-        EXPECT_LT(net(loads), 1e-13 * scale) << small;
-        const Vector3<double> push = loads.lower_force + loads.upper_force;
-        EXPECT_LT(std::sqrt(dot(push, push)) * edge, 1e-13 * scale) << small;
-      }
+  BeamCoefficients<double> c = coefficients();
+  c.damping_lower = c.damping_upper = 1e-3;
+  for (const double rest : {0.86 * edge, edge, 1.14 * edge}) {
+    const BeamEnds<double> driven = driven_ends(rest);
+    const BeamState<double> state = balanced_state(driven);
+    const BeamDeformation<double> rate = deformation({0.01, 0.0, 0.0, 0.3, 0.1, 0.2, -0.4, 0.5});
+    for (const BeamLoads<double>& published : {beam_elastic_loads(c, state.deformation, rest), beam_damping(c, rate)}) {
+      const BeamLoads<double> loads = balanced(published, state, rest);
+      const double scale = size(loads.upper_moment);
+      EXPECT_GT(size(net_moment(driven, state, published)), 1e-2 * scale);
+      EXPECT_LT(size(net_moment(driven, state, loads)), 1e-13 * scale);
+      EXPECT_LT(size(loads.lower_force + loads.upper_force) * edge, 1e-13 * scale);
     }
   }
 }
 
-TEST(BalancedBeam, TakesNothingFromLoadsThatBalance) {
-  // At the length of the coefficients, and with no axial force across a shear, nothing is left over.
-  BeamEnds<double> undriven = ends({edge, 0.0, 0.0}, {0.0, -0.02, 0.015}, {0.03, 0.01, -0.04});
-  const BeamState<double> state = state_of(undriven, false);
+TEST(BalancedBeam, HasTheElasticLoadsOfAnUndrivenBeam) {
+  const BeamEnds<double> undriven = ends({edge, 0.0, 0.0}, {0.0, -0.02, 0.015}, {0.03, 0.01, -0.04});
+  const BeamState<double> state = balanced_state(undriven);
   const BeamLoads<double> published = beam_elastic_loads(coefficients(), state.deformation, edge);
   const BeamLoads<double> loads = balanced(published, state, edge);
   EXPECT_NEAR(loads.upper_force.y, published.upper_force.y, 1e-14 * std::abs(published.upper_force.y));
   EXPECT_NEAR(loads.upper_force.z, published.upper_force.z, 1e-14 * std::abs(published.upper_force.z));
-  EXPECT_NEAR(loads.lower_moment.y, published.lower_moment.y, 1e-14 * std::abs(published.lower_moment.y));
+}
+
+TEST(BalancedBeam, DoesNotKnowWhichOfItsEndsIsTheLowerOne) {
+  // Turned by half a turn about z, the lower end becomes the upper one. The twist is measured from the lower end, which makes a
+  // difference of second order in the angles, 0.04: 1 %. Published moments of a driven beam differ by more than 10 %.
+  const BeamCoefficients<double> c = coefficients();
+  const double rest = 1.14 * edge;
+  const BeamEnds<double> driven = driven_ends(rest);
+  const Quaternion<double> half_turn = quaternion_of(Vector3<double>{0.0, 0.0, std::acos(-1.0)});
+  const Vector3<double> back = rotate(matrix(half_turn), driven.separation);
+  // The axes of both ends are turned with the beam and turned back, so that undeformed ends point along +x again.
+  const BeamEnds<double> renamed{-back, half_turn * driven.upper * half_turn, half_turn * driven.lower * half_turn, rest};
+  const auto loads_on = [&](const BeamEnds<double>& ends) {
+    const BeamState<double> state = balanced_state(ends);
+    return to_world(state.frame, balanced(beam_elastic_loads(c, state.deformation, rest), state, rest));
+  };
+  const BeamLoads<double> one = loads_on(driven);
+  const BeamLoads<double> other = loads_on(renamed);
+  const auto turned = [&](const Vector3<double>& v) { return rotate(matrix(half_turn), v); };
+  EXPECT_LT(size(turned(one.upper_force) - other.lower_force), 0.02 * size(one.upper_force));
+  EXPECT_LT(size(turned(one.upper_moment) - other.lower_moment), 0.02 * size(one.upper_moment));
+  EXPECT_LT(size(turned(one.lower_moment) - other.upper_moment), 0.02 * size(one.lower_moment));
+  const auto published_on = [&](const BeamEnds<double>& ends) {
+    const Rotation<double> frame = matrix(ends.lower);
+    const BeamState<double> state = beam_in_state(ends, frame, rotate_back(frame, ends.separation), true);
+    return to_world(state.frame, beam_elastic_loads(c, state.deformation, rest));
+  };
+  const BeamLoads<double> published = published_on(driven);
+  EXPECT_GT(size(turned(published.upper_moment) - published_on(renamed).lower_moment), 0.1 * size(published.upper_moment));
 }
 
 TEST(BalancedBeam, HasTheLoadsThatItsEnergyGives) {
-  // Every derivative of the energy by the poses of both ends, in the small-angle state. It leaves out terms of the order of the
-  // angles between the ends, 0.03, in moments of the upper end, and so in those of the lower one.
+  // Derivatives of the energy by the poses of both ends. Rotation vectors add only to first order: angles of 0.05 leave 2 %.
   const BeamCoefficients<double> c = coefficients();
   const double rest = 1.14 * edge;
-  const auto energy = [&](const BeamEnds<double>& at) { return beam_energy(c, state_of(at, true).deformation, rest); };
+  const auto energy = [&](const BeamEnds<double>& at) { return beam_energy(c, balanced_state(at).deformation, rest); };
   const BeamEnds<double> driven = driven_ends(rest);
-  const BeamState<double> state = state_of(driven, true);
+  const BeamState<double> state = balanced_state(driven);
   const BeamLoads<double> published = to_world(state.frame, beam_elastic_loads(c, state.deformation, rest));
   const BeamLoads<double> loads = to_world(state.frame, balanced(beam_elastic_loads(c, state.deformation, rest), state, rest));
-  const double scale = std::sqrt(dot(loads.lower_moment, loads.lower_moment));
+  const double scale = size(loads.lower_moment);
   double published_error = 0.0;
   for (const auto component : {&Vector3<double>::x, &Vector3<double>::y, &Vector3<double>::z}) {
     const auto slope = [&](auto&& change, double step) {
@@ -142,12 +172,12 @@ TEST(BalancedBeam, HasTheLoadsThatItsEnergyGives) {
     const double force = -slope([component](BeamEnds<double>& e, double step) { e.separation.*component += step; }, 1e-8);
     const double upper = -slope([&](BeamEnds<double>& e, double angle) { e.upper = turned(e.upper, angle); }, 1e-6);
     const double lower = -slope([&](BeamEnds<double>& e, double angle) { e.lower = turned(e.lower, angle); }, 1e-6);
-    EXPECT_NEAR(loads.upper_force.*component, force, 1e-6 * scale / edge);
-    EXPECT_NEAR(loads.upper_moment.*component, upper, 0.03 * scale);
-    EXPECT_NEAR(loads.lower_moment.*component, lower, 0.03 * scale);
-    published_error = std::max(published_error, std::abs(published.lower_moment.*component - lower));
+    EXPECT_NEAR(loads.upper_force.*component, force, 0.02 * scale / edge);
+    EXPECT_NEAR(loads.upper_moment.*component, upper, 0.02 * scale);
+    EXPECT_NEAR(loads.lower_moment.*component, lower, 0.02 * scale);
+    published_error = std::max(published_error, std::abs(published.upper_force.*component - force));
   }
-  EXPECT_GT(published_error, 0.1 * scale);
+  EXPECT_GT(published_error, 0.05 * scale / edge);
 }
 
 TEST(BeamState, SwitchesWithHysteresis) {
