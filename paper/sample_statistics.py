@@ -73,6 +73,13 @@ def difference_of_shares(count, of, other_count, of_others):
     return Estimate(difference, float(difference - low), float(difference + high))
 
 
+def mcnemar(before, after):
+    """p of McNemar's exact test, two-sided: whether a property of the same robots, yes or no, changes one way more often than the other."""
+    before, after = np.asarray(before, dtype=bool), np.asarray(after, dtype=bool)
+    gained, lost = int(np.sum(~before & after)), int(np.sum(before & ~after))
+    return float(stats.binomtest(gained, gained + lost).pvalue) if gained + lost else 1.0
+
+
 # What a verdict on something that the paper says means, if yes is its side.
 OUTCOMES = {"yes": "reproduced", "no": "not reproduced", "open": "open"}
 

@@ -1,6 +1,7 @@
 """Small tables (CSV) and studies (TOML) that scripts of experiments read and write."""
 
 import csv
+import json
 import io
 import os
 import pathlib
@@ -28,6 +29,15 @@ def read_table(file):
             return list(csv.DictReader(text))
     except OSError as error:
         raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+
+
+def toml_text(study):
+    """A study or scene as TOML: {key: value, table: {key: value}}, tables of one level."""
+    lines = [f"{key} = {json.dumps(value)}" for key, value in study.items() if not isinstance(value, dict)]
+    for table, keys in study.items():
+        if isinstance(keys, dict):
+            lines += ["", f"[{table}]"] + [f"{key} = {json.dumps(value)}" for key, value in keys.items()]
+    return "\n".join(lines).lstrip("\n") + "\n"
 
 
 def read_toml(file):

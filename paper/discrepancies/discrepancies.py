@@ -13,7 +13,6 @@ discrepancies.py summary                        makes the tables and discrepanci
 Exit codes: 0 done, 2 wrong input.
 """
 
-import json
 import pathlib
 import sys
 from collections import Counter
@@ -24,9 +23,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, median, rank_correlation, share, spearman, verdict  # noqa: E402
-from scale_invariance import angle_and_factor, by_chance, carries_over  # noqa: E402
-from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
+from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, mcnemar, median, rank_correlation, share, spearman, verdict  # noqa: E402
+from scale_invariance import angle_and_factor, by_chance, carries_over, same_way  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 ROBOTS = 500
@@ -37,7 +36,7 @@ TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten
 SPONGE_CELLS = (16, 19)  # those of a Hausdorff dimension of 2.5 to 2.7, as half of the paper's champions have
 # What a variant is, in the order of tables and of the figure.
-KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "sensitivity": "sensitivity"}
+KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "physics": "in both, beams turn bodies", "sensitivity": "sensitivity"}
 
 
 def variants():
@@ -64,12 +63,7 @@ def study_text(name):
     study = read_toml(HERE / "population.toml")
     for table, keys in variant(name).get("keys", {}).items():
         study.setdefault(table, {}).update(keys)
-    lines = [f"# {variant(name)['label']}: population.toml with what variants.toml says"]
-    lines += [f"{key} = {json.dumps(value)}" for key, value in study.items() if not isinstance(value, dict)]
-    for table, keys in study.items():
-        if isinstance(keys, dict):
-            lines += ["", f"[{table}]"] + [f"{key} = {json.dumps(value)}" for key, value in keys.items()]
-    return "\n".join(lines) + "\n"
+    return f"# {variant(name)['label']}: population.toml with what variants.toml says\n" + toml_text(study)
 
 
 def first_of_each_body(rows):
@@ -247,10 +241,21 @@ def from_scale_to_scale(walks, lower, upper):
             row |= interval("speed_factor", median(large[at_either] / small[at_either]))
     if row["moving"] > 1:
         ends_m = walks.ends_m[lower][moving], walks.ends_m[upper][moving]
-        row["carried_over_by_chance"] = by_chance(*ends_m)["carried_over"]
+        chance = by_chance(*ends_m)
+        row |= {"carried_over_by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"]}
+        row |= interval("same_way", share(int(np.sum(same_way(*angle_and_factor(*ends_m)))), row["moving"]))
         row |= judged("carried_over", share(int(np.sum(carries_over(*angle_and_factor(*ends_m)))), row["moving"]), row["carried_over_by_chance"])
         row |= judged("scales_spearman", spearman(small[ended], large[ended]), 0.0)
     return row
+
+
+def more_alike(text, walks, lower, upper):
+    """Whether a variant changes who does the same at the larger scale: of robots that move at the smaller one in both, McNemar's exact test."""
+    both = np.all([one.ended_at(lower) & one.ended_at(upper) & one.moves(lower) for one in (text, walks)], axis=0)
+    if not both.any():
+        return {}
+    found = [angle_and_factor(one.ends_m[lower][both], one.ends_m[upper][both]) for one in (text, walks)]
+    return {f"p_{name}": mcnemar(*(measure(*one) for one in found)) for name, measure in (("carried_over", carries_over), ("same_way", same_way))}
 
 
 def of_fitness(walks):
@@ -333,13 +338,15 @@ def summary():
         about = {"label": variant(name)["label"], "kind": kind_of(name), "robots": len(text.bodies)}
         for lower, upper in zip(walks.levels, walks.levels[1:]):
             pair = {"levels": f"{lower} to {upper}", "cells_per_side": f"{cells_per_side(lower)} to {cells_per_side(upper)}"}
-            concluded.append({"variant": name} | pair | about | from_scale_to_scale(walks, lower, upper) | of_fitness(walks))
+            concluded.append({"variant": name} | pair | about | from_scale_to_scale(walks, lower, upper) | more_alike(text, walks, lower, upper) | of_fitness(walks))
         own = "walks_of" not in variant(name)
         if own:
             failed += [{"variant": name} | row | {"label": about["label"]} for level in walks.levels if not walks.ended_at(level).all()
                        for row in failures(text, walks, level)]
         if name != "text":
             compared.append({"variant": name} | about | comparison(text, walks))
+            if (other := variant(name).get("failures_of")) in there:
+                compared[-1]["failed_in_common"] = int(np.sum(~walks.ended() & ~Walks(other).ended()))
             if own:
                 changed += [{"variant": name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(text, walks, level)
                             for level in walks.levels]
@@ -373,7 +380,7 @@ def draw(rows):
     figure, axes = pyplot.subplots(1, 3, figsize=(6.5, height), sharey=True, width_ratios=(1.0, 1.0, 0.6))
     figure.subplots_adjust(left=0.31, right=0.985, bottom=0.82 / height, top=1.0 - 0.25 / height, wspace=0.12)
     for panel, column, title in ((axes[0], "fitness_spearman", "rank correlation of fitness\nwith that of the text"),
-                                 (axes[1], "another_best_of_ten", "share of tens with\nanother best robot")):
+                                 (axes[1], "another_best_of_ten", "share of draws of ten\nwith another best robot")):
         for prefix, colour, mark, label, aside in (("", "#0072B2", "o", "all robots, failed ones last", 0.0),
                                                    ("ended_", "#D55E00", "D", "failed ones left out, where there are any", -0.32)):
             shown = [(row, place + aside) for row, place in zip(rows, places) if row.get(prefix + column) is not None and (not prefix or row["failed"])]

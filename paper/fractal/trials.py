@@ -4,35 +4,64 @@
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              and three_scales/SEED.csv in both folders
 
-Trials of an arm count up to the last generation that all of them have, so that each can go on at another time; two arms are compared
-at the last generation that both have. The best robot of a trial at first and at the end, and a
-champion at two scales, are pairs: p is that of the signed-rank test. The rank-sum test, which the paper used and which takes them for
-samples apart, stands beside it. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect,
-"not reproduced" on the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05).
+Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on
+stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
+at the last generation that both have. The best robot of a trial at first and at the end, and a champion at two scales, are pairs: p is
+that of the signed-rank test. The rank-sum test, which the paper used and which takes them for samples apart, stands beside it. The best robot can only rise, so the fractal trials are also compared with the best of as many random
+robots as a trial asks for, where as many have walked. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect,
+"not reproduced" on the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05, with
+Holm's correction for the shares of two dimensions).
 Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
 import sys
+from dataclasses import dataclass, replace
+from string import ascii_lowercase
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
-from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
+from multiple_tests import holm  # noqa: E402
+from sample_statistics import OUTCOMES, bootstrap, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
+from scale_invariance import AT_TWO_SCALES, fitness, robots  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
+
+
+@dataclass(frozen=True)
+class Arm:
+    """Where the tables of its trials are, and how it is drawn."""
+
+    folder: pathlib.Path
+    label: str
+    colour: str
+    dashes: str | tuple
+    mark: str
+    is_fractal: bool = True  # robots of the control are none, and have no dimension
+    falls_apart: bool = False
+
+    def longer(self):
+        dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
+        return replace(self, label=f"{self.label}, longer", dashes=dashes, mark={"o": "x", "s": "+"}.get(self.mark, "*"))
+
+
 LEVELS = (1, 2, 3)
-ARMS = {"fractal": (HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
-        "in_pieces": (HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v"),
-        "non_fractal": (HERE.parent / "non_fractal" / "two_scales", "arranged apart", "#D55E00", "-.", "s"),
-        "three_scales": (HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
-        "non_fractal_three_scales": (HERE.parent / "non_fractal" / "three_scales", "apart, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^")}
+NON_FRACTAL = HERE.parent / "non_fractal"
+ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
+        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", falls_apart=True),
+        "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
+        "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
+        "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
+LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
+DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#E69F00", "-"), 2: ("#0072B2", "--"), 3: ("#CC79A7", ":")}
-WITHOUT_DIMENSION = ("non_fractal", "non_fractal_three_scales")  # no fractals, which have none
-COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"))
+COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"),
+               ("fractal_longer", "non_fractal_longer"))
+AT_THE_SCALES_OF_RANDOM_ROBOTS = ("fractal", "fractal_longer")
 DURATION_S = 5.0
 PAPER_CHAMPIONS = 10  # of which there are as many of both dimensions
 PAPER_OF_A_DIMENSION = 5
@@ -60,16 +89,18 @@ class Trial:
         return float(self.speeds[level][-1]) if level in self.speeds else None
 
 
-def trials_of(folder):
+def arms_of(name, folder):
+    """The trials of an arm up to the last generation that all of them have, and in an arm of their own those that are longer."""
     rows = {int(file.stem): read_table(file) for file in folder.glob("*.csv")}
     for seed, found in rows.items():
         if not found:
             raise InputError(f"{folder}/{seed}.csv: has no generation")
-    shortest = min(map(len, rows.values()), default=0)
-    longer = [seed for seed, found in sorted(rows.items()) if len(found) > shortest]
-    if longer:
-        print(f"{folder}: all trials have {shortest - 1} generations; further ones of {', '.join(map(str, longer))} do not count yet")
-    return [Trial(seed, found[:shortest]) for seed, found in sorted(rows.items())]
+    arms = {}
+    while rows and len(arms) < 2:
+        shortest = min(map(len, rows.values()))
+        arms[f"{name}_longer" if arms else name] = [Trial(seed, found[:shortest]) for seed, found in sorted(rows.items())]
+        rows = {seed: found for seed, found in rows.items() if len(found) > shortest}
+    return arms
 
 
 def champions(arms):
@@ -79,9 +110,30 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
-def dimension_share(name, count, of):
+def random_speeds():
+    """Of random robots at two scales: the slower speed of each body, ascending, body lengths a minute."""
+    bodies = {row["phenotype"]: row for row in (read_table(AT_TWO_SCALES) if AT_TWO_SCALES.exists() else [])}
+    bodies |= {row["phenotype"]: row for row in robots() if row["group"] == "random"}
+    speeds = fitness(list(bodies.values())) * PER_MINUTE if bodies else np.empty(0)
+    return np.sort(speeds[np.isfinite(speeds)])
+
+
+def random_best(arm, trials):
+    """The best of as many random robots as a trial asks for (median), and the probability that a trial ends with a faster one; nothing where
+    fewer have walked. The distribution of random robots is that of those that walked; bootstraps draw these anew, too."""
+    names = ("asked", "random_robots", "random_best", "beats_random", "beats_random_low", "beats_random_high", "beats_random_outcome")
+    population = read_toml(HERE.parent / "presets" / "paper.toml")["population"]
+    asked = population["survivors"] + (population["mutants"] + population["newcomers"]) * (len(trials[0].best) - 1)
+    speeds = random_speeds()
+    if arm not in AT_THE_SCALES_OF_RANDOM_ROBOTS or len(speeds) < asked:
+        return dict.fromkeys(names)
+    best = float(np.quantile(speeds, 0.5 ** (1.0 / asked), method="inverted_cdf"))
+    found = bootstrap(lambda ends, drawn: np.mean([np.mean(drawn <= end) ** asked for end in ends]), [trial.best[-1] for trial in trials], speeds)
+    return dict(zip(names, (asked, len(speeds), best, found.value, found.low, found.high, OUTCOMES[verdict(found, 0.5)])))
+
+
+def dimension_share(name, count, of, p):
     found = share(count, of)
-    p = fisher(count, of, PAPER_OF_A_DIMENSION, PAPER_CHAMPIONS)
     return {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high, f"{name}_p_paper": p,
             f"{name}_outcome": "differs" if p < LARGEST_P else "open"}
 
@@ -89,11 +141,12 @@ def dimension_share(name, count, of):
 def dimensions_of(arm, trials):
     """How many fractal trials end with nine cells, as a plane has, and how many between 2.5 and 2.7; nothing for others."""
     names = ("dimension_2", "dimension_2.5_to_2.7")
-    if arm in WITHOUT_DIMENSION:
+    if not DRAWN[arm].is_fractal:
         return {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high", "_p_paper", "_outcome")}
     ends = [trial.dimension[-1] for trial in trials]
     counts = (sum(abs(end - 2.0) < 1e-9 for end in ends), sum(2.5 < end < 2.7 for end in ends))
-    return dimension_share(names[0], counts[0], len(ends)) | dimension_share(names[1], counts[1], len(ends))
+    both = holm([fisher(count, len(ends), PAPER_OF_A_DIMENSION, PAPER_CHAMPIONS) for count in counts])
+    return {key: value for name, count, p in zip(names, counts, both) for key, value in dimension_share(name, count, len(ends), p).items()}
 
 
 def statistics(arms):
@@ -113,7 +166,8 @@ def statistics(arms):
                      "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}",
                      "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
                      "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)],
-                     "p_scales": signed_rank(smaller, larger), "p_scales_rank_sum": rank_sum(smaller, larger).p} | dimensions_of(arm, trials))
+                     "p_scales": signed_rank(smaller, larger), "p_scales_rank_sum": rank_sum(smaller, larger).p} | random_best(arm, trials)
+                    | dimensions_of(arm, trials))
     return rows
 
 
@@ -146,28 +200,28 @@ def draw_mean(panel, curves, colour, dashes, label):
 
 def draw_fitness(panel, arms):
     for arm, trials in arms.items():
-        _, label, colour, dashes, _ = ARMS[arm]
-        draw_mean(panel, [trial.best for trial in trials], colour, dashes, f"{label} (n = {len(trials)})")
+        drawn = DRAWN[arm]
+        draw_mean(panel, [trial.best for trial in trials], drawn.colour, drawn.dashes, f"{drawn.label} (n = {len(trials)})")
     panel.set(xlabel="generation", ylabel="fitness, mean over trials\n(body lengths per minute)", ylim=(0, None))
     panel.legend(loc="upper center", bbox_to_anchor=(0.45, -0.28), ncols=2)
 
 
 def draw_ends(panel, arms):
     for place, (arm, trials) in enumerate(arms.items()):
-        _, _, colour, _, mark = ARMS[arm]
+        drawn = DRAWN[arm]
         ends = [trial.best[-1] for trial in trials]
-        panel.plot(ends, place + np.linspace(-0.28, 0.28, len(ends)) if len(ends) > 1 else [place], mark, color=colour, markersize=3.5)
+        panel.plot(ends, place + np.linspace(-0.28, 0.28, len(ends)) if len(ends) > 1 else [place], drawn.mark, color=drawn.colour, markersize=3.5)
         panel.plot([np.median(ends)] * 2, [place - 0.4, place + 0.4], color="#222222", linewidth=1.2)
     highest = max(trial.best[-1] for trials in arms.values() for trial in trials)
     panel.set(xlabel="fitness at the end (body lengths per minute)", xlim=(0, 1.05 * highest), ylim=(len(arms) - 0.4, -0.6))
-    panel.set_yticks(range(len(arms)), [f"{ARMS[arm][1]}\n({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
+    panel.set_yticks(range(len(arms)), [f"{DRAWN[arm].label}\n({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
 
 
 def draw_scales(panel, trials):
     for level in trials[0].speeds:
-        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")
+        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells per side")
     panel.set_xlabel("generation")
-    panel.legend(loc="upper center", ncols=3, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
+    panel.legend(loc="upper center", ncols=2, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
 
 
 def draw_dimensions(panel, trials):
@@ -182,7 +236,7 @@ def draw_dimensions(panel, trials):
     for place, trial in enumerate(trials):
         style = {"color": colours[place % len(colours)]}
         shifted = trial.dimension + 0.005 * (place - (len(trials) - 1) / 2)
-        panel.step(range(len(shifted)), shifted, where="post", linewidth=1, linestyle=("-", "--", ":")[place // len(colours) % 3], **style)
+        panel.step(range(len(shifted)), shifted, where="post", linewidth=1, linestyle=("-", "--", "-.", ":")[place % 4], **style)
         end = round(float(trial.dimension[-1]), 6)
         taken[end] = taken.get(end, 0) + 1
         panel.plot([last * (1.01 + 0.02 * taken[end])], [end], "o", markersize=3.5, **style)
@@ -199,8 +253,9 @@ def draw(arms):
     """Fitness over generations and at the end, the scales apart, and the dimension; readable where it is printed 6.5 inches wide."""
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
-    by_scale = [arm for arm in ("fractal", "non_fractal", "three_scales", "non_fractal_three_scales") if arm in arms]
-    with_dimension = "fractal" if "fractal" in arms else next((arm for arm in arms if arm not in WITHOUT_DIMENSION), None)
+    longest = [f"{name}_longer" if f"{name}_longer" in arms else name for name in ARMS if name in arms]
+    by_scale = [arm for arm in longest if not DRAWN[arm].falls_apart]
+    with_dimension = next((arm for arm in longest if DRAWN[arm].is_fractal), None)
     rows = -(-len(by_scale) // 2)
     heights = [1.9, 0.6 + 0.34 * len(arms), *[1.9] * rows, *[2.3] * bool(with_dimension)]
     figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
@@ -210,7 +265,7 @@ def draw(arms):
     draw_ends(panels[1][0], arms)
     for place, arm in enumerate(by_scale):
         panel = figure.add_subplot(grid[2 + place // 2, place % 2])
-        panels.append((panel, f"scales, {ARMS[arm][1]}"))
+        panels.append((panel, f"scales, {DRAWN[arm].label} (n = {len(arms[arm])})"))
         draw_scales(panel, arms[arm])
         if place % 2 == 0:
             panel.set_ylabel("speed of the best robot\n(body lengths per minute)")
@@ -218,9 +273,9 @@ def draw(arms):
     for panel, _ in panels[2:]:
         panel.set_ylim(0, 1.2 * highest)  # with room for the legend
     if with_dimension:
-        panels.append((figure.add_subplot(grid[-1, :]), f"dimension, {ARMS[with_dimension][1]}"))
+        panels.append((figure.add_subplot(grid[-1, :]), f"dimension, {DRAWN[with_dimension].label}"))
         draw_dimensions(panels[-1][0], arms[with_dimension])
-    for (panel, title), letter in zip(panels, "abcdefg"):
+    for (panel, title), letter in zip(panels, ascii_lowercase):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
@@ -233,9 +288,12 @@ def draw(arms):
 def main(arguments):
     if arguments:
         raise InputError(__doc__)
-    arms = {arm: trials for arm, (folder, *_) in ARMS.items() if (trials := trials_of(folder))}
+    found = {}
+    for name, arm in ARMS.items():
+        found |= arms_of(name, arm.folder)
+    arms = {name: found[name] for name in DRAWN if name in found}
     if not arms:
-        raise InputError(f"{ARMS['fractal'][0]}: has no trial yet: ./run paper fractal two_scales_1")
+        raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")
     for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("comparisons", comparisons(arms))):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])

@@ -36,6 +36,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "known_walks")]
 
 from chart_of_walks import HEIGHT, INK, WIDTH, Panel, words  # noqa: E402
+from multiple_tests import holm  # noqa: E402
 from small_tables import InputError, read_table, read_toml, write_table, write_whole  # noqa: E402
 from statistics_of_walks import angle_deg, median, quantile  # noqa: E402
 
@@ -277,18 +278,6 @@ def difference_of_medians(a, b):
 
 STATISTICS = ["arm", "than", "searches", "searches_than", "median_body_lengths", "median_than_body_lengths", "difference_body_lengths",
               "difference_low", "difference_high", "superiority", "superiority_low", "superiority_high", "rank_sum_p", "holm_p"]
-
-
-def holm(p_values):
-    """The p of several tests at once by Holm's method: the least times their number, the next times one less, and so on, never
-    falling and at most 1. None is a test that is planned and not made yet: it counts, as if it came out last, and stays None."""
-    order = sorted((n for n, p in enumerate(p_values) if p is not None), key=lambda n: p_values[n])
-    adjusted = [None] * len(p_values)
-    largest = 0.0
-    for place, n in enumerate(order):
-        largest = max(largest, min(1.0, (len(p_values) - place) * p_values[n]))
-        adjusted[n] = largest
-    return adjusted
 
 
 def statistics_rows(outcomes):

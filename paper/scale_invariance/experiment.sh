@@ -1,21 +1,28 @@
 # Does a robot do at the next scale what it does at one, and for which robots does it?
 part random "20 min of two cores" "random robots at three scales"
+part random_balanced "20 min of two cores" "the same with beams whose moments balance their forces"
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
 done
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
 part_on_request similar "30 min of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
+part_on_request balanced "2 min" "all champions with such beams, and with half the time step"
 part summary "1 min" "the tables and the picture of all robots that there are"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 robots() { "$study/scale_invariance.py" "$@"; }
 
-random() {
-  menger evolve "$study/random.toml" --output "$results/random.sqlite"
-  menger export "$results/random.sqlite" --output "$results/random" --individuals --levels 1 --no-frames --no-pictures
-  robots random "$results/random/individuals.csv"
+# Random robots: the name of their study and of their group.
+# shellcheck disable=SC2154  # $results is that of run_experiment.sh
+random_robots() {
+  menger evolve "$study/$1.toml" --output "$results/$1.sqlite"
+  menger export "$results/$1.sqlite" --output "$results/$1" --individuals --levels 1 --no-frames --no-pictures
+  robots "$1" "$results/$1/individuals.csv"
 }
+
+random() { random_robots random; }
+random_balanced() { random_robots random_balanced; }
 
 # The champion of an archive, simulated at three levels: group, seed, archive.
 walks_of_champion() {
@@ -27,6 +34,8 @@ walks_of_champion() {
 one_scale() {
   menger evolve "$study/one_scale.toml" --seed "$1" --output "$results/one_scale_$1.sqlite" "${generations[@]}"
   walks_of_champion one_scale "$1" "$results/one_scale_$1.sqlite"
+  mkdir -p "$study/one_scale"
+  table "$results/one_scale_$1/generations.csv" "$study/one_scale/$1.csv"
 }
 
 for seed in 1 2 3 4 5 6 7 8 9 10; do
@@ -49,15 +58,25 @@ champions_of() {
 two_scales() { champions_of two_scales build/paper/fractal/two_scales_ .sqlite two_scales_1; }
 three_scales() { champions_of three_scales build/paper/fractal/three_scales_ /trial.sqlite three_scales_40; }
 
-similar() {
+# The scenes of champions with something changed, simulated, and the table of them.
+changed() {
   local scene name
-  robots similar "$results/similar_scenes"
-  for scene in "$results"/similar_scenes/*.toml; do
+  "$study/changed_walks.py" "$1" "$results/$1"
+  for scene in "$results/$1"/*.toml; do
     name=${scene##*/}
     name=${name%.*}
-    [ -e "$results/similar_scenes/$name/result.toml" ] || menger simulate "$scene" --output "$results/similar_scenes/$name"
+    if ! cmp -s "$scene" "$results/$1/$name/scene.toml"; then
+      menger simulate "$scene" --output "$results/$1/$name"
+      cp "$scene" "$results/$1/$name/scene.toml"
+    fi
   done
-  robots simulated "$results/similar_scenes"
+  "$study/changed_walks.py" take "$results/$1" "$1"
 }
 
-summary() { robots summary; }
+similar() { changed similar; }
+balanced() { changed balanced; }
+
+summary() {
+  robots summary
+  "$study/changed_walks.py" summary
+}

@@ -2,12 +2,12 @@
 """Whether robots do at the next scale what they do at one: tables of robots, and what follows from them.
 
 scale_invariance.py random INDIVIDUALS.csv           puts the random robots into robots.csv, of what menger export wrote
+scale_invariance.py random_balanced INDIVIDUALS.csv  the same of random robots with beams whose moments balance their forces
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
-scale_invariance.py similar FOLDER                   writes scenes of the champions of two scales at larger scales, each with the weight, the
-                                                     stiffness, or both that make it as heavy and as stiff for its size as at the scale before
-scale_invariance.py simulated FOLDER                 makes similar.csv of what menger simulate wrote for these scenes
-scale_invariance.py summary                          makes statistics.csv, comparisons.csv, similar_statistics.csv, dimension.csv,
-                                                     dimension_tests.csv and scale_invariance.svg
+scale_invariance.py summary                          makes statistics.csv, comparisons.csv, dimension.csv, dimension_tests.csv and
+                                                     scale_invariance.svg
+
+changed_walks.py has the walks of champions with something changed.
 
 A robot carries over from one level to the next if it goes the same way within 45 degrees, and between half and twice as fast in body
 lengths. Robots that stand still at the smaller one do not count. Selection prefers fast robots, whose speed carries over more often
@@ -23,8 +23,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, share, spearman, verdict  # noqa: E402
-from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
+from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, rank_sum, share, signed_rank, spearman, verdict  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
 LEVELS = (1, 2, 3)
@@ -33,21 +33,15 @@ LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
 PER_MINUTE = 60.0 / 5.0
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
-GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
-          "three_scales": "evolved at three scales"}
+GROUPS = {"random": "random robots", "random_balanced": "random robots with balanced beams", "one_scale": "evolved at one scale",
+          "two_scales": "evolved at two scales", "three_scales": "evolved at three scales"}
+EVOLVED = ("one_scale", "two_scales", "three_scales")  # by the number of scales that selection sees
+LARGEST_P = 0.05  # of Fisher's test, for an outcome
 FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
-# A body three times as long that moves as often has three times the accelerations. It is as heavy beside them with three times the
-# gravity, and as stiff with nine times the modulus: stress is modulus times strain, and density times acceleration times length.
-SIMILAR = {"as_it_is": (1.0, 1.0), "weight": (3.0, 1.0), "stiffness": (1.0, 9.0), "weight_and_stiffness": (3.0, 9.0)}
-SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": "Young's modulus x 9", "weight_and_stiffness": "both"}
-SIMILAR_COLUMNS = ["seed", "phenotype", "level", "change", "dx_m", "dy_m"]
-OF_EXPORT = ", other integration"  # than the changed ones, until these and as_it_is are simulated alike
-SEARCH_STUDY = HERE.parent / "fractal" / "two_scales.toml"
-GRAVITY_M_PER_S2 = 9.81
-YOUNGS_MODULUS_PA = 1e4
 # Random robots at two scales, from another experiment
 AT_TWO_SCALES = HERE.parent / "discrepancies" / "walks" / "text.csv"
+BALANCED_AT_TWO_SCALES = AT_TWO_SCALES.with_name("balanced.csv")
 
 
 def robots():
@@ -79,20 +73,20 @@ def add(rows, group, seed):
     write_table(HERE / "robots.csv", COLUMNS, everything)
 
 
-def add_random(source):
+def add_random(source, group):
     """Each body once."""
     bodies = {}
     for row in read_table(source):
         if all(row[f"level_{level}_dx_m"] for level in LEVELS):
             bodies.setdefault(row["phenotype"], row)
-    rows = [row_of("random", "2", row["individual"], body, {level: (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"]) for level in LEVELS})
+    rows = [row_of(group, "2", row["individual"], body, {level: (row[f"level_{level}_dx_m"], row[f"level_{level}_dy_m"]) for level in LEVELS})
             for body, row in bodies.items()]
-    add(rows, "random", "2")
+    add(rows, group, "2")
 
 
 def add_champion(folder, group, seed):
-    if group not in GROUPS:
-        raise InputError(f"{group}: must be one of {', '.join(GROUPS)}")
+    if group not in EVOLVED:
+        raise InputError(f"{group}: must be one of {', '.join(EVOLVED)}")
     ends_m = {}
     for level in LEVELS:
         result = read_toml(folder / f"level_{level}" / "result.toml")
@@ -163,14 +157,20 @@ def dimension(row):
     return float(np.log(cells_of(row["phenotype"])) / np.log(3.0))
 
 
+def with_more(rows, file):
+    """Random robots, and those of another experiment that are not among them."""
+    seen = {row["phenotype"] for row in rows}
+    return rows + [row for row in (read_table(file) if file.exists() else []) if row["phenotype"] not in seen]
+
+
 def groups():
-    """The robots of each group; random ones at two scales are those of another experiment, and more of them."""
+    """The robots of each group; random ones at two scales are those of another experiment, and more of them. A random robot that is the
+    champion of a search, too, counts as its champion alone: groups that are compared share no robot."""
     every = {group: [row for row in robots() if row["group"] == group] for group in GROUPS}
-    every = {group: rows for group, rows in every.items() if rows}
-    if AT_TWO_SCALES.exists():
-        seen = {row["phenotype"] for row in every.get("random", [])}
-        every["random"] = every.get("random", []) + [row for row in read_table(AT_TWO_SCALES) if row["phenotype"] not in seen]
-    return every
+    champions = {row["phenotype"] for group in EVOLVED for row in every[group]}
+    for group, file in (("random", AT_TWO_SCALES), ("random_balanced", BALANCED_AT_TWO_SCALES)):
+        every[group] = [row for row in with_more(every[group], file) if row["phenotype"] not in champions]
+    return {group: rows for group, rows in every.items() if rows}
 
 
 def with_fastest(every):
@@ -194,6 +194,22 @@ def outcome(lower_m, upper_m):
     return row | {"speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
 
 
+def which_is_slower(rows, lower, upper):
+    """Of the robots that move at either level: how many are slower at the larger one, and whether the speeds differ. Those that move at the
+    smaller one are chosen for being fast there."""
+    speeds = np.array([np.hypot(*ends(rows, level).T) / (CELL_EDGE_M * 3**level) for level in (lower, upper)])
+    small, large = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax(*speeds) >= LEAST_BODY_LENGTHS)]
+    if not len(small):
+        return dict.fromkeys(("moving_at_either", "larger_is_slower", "larger_is_slower_low", "larger_is_slower_high", "larger_is_slower_outcome",
+                              "p_scales", "p_scales_rank_sum", "smaller_per_minute", "larger_per_minute", "larger_per_minute_low", "larger_per_minute_high"))
+    slower = share(int(np.sum(large < small)), len(small))
+    there = median(large * PER_MINUTE)
+    return {"moving_at_either": len(small), "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
+            "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(small, large), "p_scales_rank_sum": rank_sum(small, large).p,
+            "smaller_per_minute": float(np.median(small)) * PER_MINUTE, "larger_per_minute": there.value, "larger_per_minute_low": there.low,
+            "larger_per_minute_high": there.high}
+
+
 def statistics_of(group, label, rows, lower, upper):
     lower_m, upper_m = moving(rows, lower, upper)
     if len(lower_m) == 0:
@@ -203,22 +219,21 @@ def statistics_of(group, label, rows, lower, upper):
     speeds = fitness(that_move(rows, lower, upper))
     row["fitness_per_minute"] = float(np.nanmedian(speeds)) * PER_MINUTE if np.isfinite(speeds).any() else None
     row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"]}
+    row |= which_is_slower(rows, lower, upper)
     return {key: cell(value) for key, value in row.items()}
 
 
 def comparisons(every):
     """Evolved robots against random ones and against those that were selected at fewer scales: Fisher's exact tests, differences of shares,
-    and how many of the others reach the fitness of the slowest."""
+    and how many of the others reach the fitness of the slowest. An outcome is open unless test and interval agree."""
     rows = []
-    by_scales = list(GROUPS)
-    sets = with_fastest(every)
-    for group in GROUPS:
-        if group == "random" or group not in sets:
+    sets = with_fastest({group: rows for group, rows in every.items() if group != "random_balanced"})
+    for place, group in enumerate(EVOLVED):
+        if group not in sets:
             continue
         speeds = fitness(sets[group][1])
         slowest = float(np.nanmin(speeds)) if np.isfinite(speeds).any() else np.inf
-        with_fewer = by_scales[1:by_scales.index(group)]
-        for other in [name for name in sets if name.startswith("random") or name in with_fewer]:
+        for other in [name for name in sets if name.startswith("random") or name in EVOLVED[:place]]:
             for lower in LEVELS[:-1]:
                 samples = [moving(sets[name][1], lower, lower + 1) for name in (group, other)]
                 if not all(len(lower_m) for lower_m, _ in samples):
@@ -227,89 +242,15 @@ def comparisons(every):
                 for name, measure in MEASURES.items():
                     counts = [number for sample in samples for number in (int(measure(*angle_and_factor(*sample)).sum()), len(sample[0]))]
                     more = difference_of_shares(*counts)
-                    row |= {f"p_{name}": fisher(*counts), f"more_{name}": more.value, f"more_{name}_low": more.low, f"more_{name}_high": more.high,
-                            f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0)]}
+                    p = fisher(*counts)
+                    row |= {f"p_{name}": p, f"more_{name}": more.value, f"more_{name}_low": more.low, f"more_{name}_high": more.high,
+                            f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0) if p < LARGEST_P else "open"]}
                 row["as_fit_as_the_slowest"] = int(np.sum(fitness(sets[other][1]) >= slowest))
                 rows.append({key: cell(value) for key, value in row.items()})
     return rows
 
 
-def similar_scenes(folder):
-    """Scenes with the physics of the search but for weight and stiffness: the preset "paper" with the search's own integration. Those as
-    they are come from the same program as the changed ones, at the smallest level, too."""
-    folder.mkdir(parents=True, exist_ok=True)
-    integration = "".join(f'{key} = "{value}"\n' for key, value in read_toml(SEARCH_STUDY)["integration"].items())
-    for row in robots():
-        if row["group"] != "two_scales":
-            continue
-        for level in LEVELS:
-            for change, (weight, stiffness) in SIMILAR.items():
-                if level == LEVELS[0] and change != "as_it_is":
-                    continue
-                write_whole(folder / f"{row['seed']}_{level}_{change}.toml", f"""[design]
-name = "champion_{row['seed']}"
-cell_edge_m = {CELL_EDGE_M}
-cells = [3, 3, 3]
-digits = "{row['phenotype']}"
-level = {level}
-[time]
-duration_s = 5.0
-record_interval_s = 0.2
-[output]
-frames = false
-pictures = false
-[loads]
-gravity_m_per_s2 = {GRAVITY_M_PER_S2 * weight}
-[ground]
-stop_rotation = true
-[materials]
-youngs_modulus_Pa = {YOUNGS_MODULUS_PA * stiffness}
-density_kg_per_m3 = 10
-[integration]
-{integration}""")
-
-
-def take_similar(folder):
-    """Robots whose walks are not there yet keep no row, so that no baseline is of another program."""
-    rows = []
-    for robot in robots():
-        if robot["group"] != "two_scales":
-            continue
-        for level in LEVELS:
-            for change in SIMILAR:
-                result = folder / f"{robot['seed']}_{level}_{change}" / "result.toml"
-                if result.exists() and "displacement_m" in (found := read_toml(result)):
-                    ends_m = [cell(value, 6) for value in found["displacement_m"][:2]]
-                    rows.append(dict(zip(SIMILAR_COLUMNS, [robot["seed"], robot["phenotype"], level, change, *ends_m])))
-    write_table(HERE / "similar.csv", SIMILAR_COLUMNS, rows)
-
-
-def similar_statistics():
-    """Whether the champions carry over to the next scale where weight and stiffness are those of a body of its size."""
-    file = HERE / "similar.csv"
-    made = []
-    if not file.exists():
-        return
-    at = {(row["seed"], int(row["level"]), row["change"]): np.array([float(row["dx_m"]), float(row["dy_m"])]) for row in read_table(file)}
-    champions = {row["seed"]: row for row in robots() if row["group"] == "two_scales"}
-    of_export = not any(level == LEVELS[0] for _, level, _ in at)
-    if of_export:  # a table of before the walks as they are were simulated, too
-        at |= {(seed, LEVELS[0], "as_it_is"): ends([row], LEVELS[0])[0] for seed, row in champions.items()}
-    for upper in LEVELS[1:]:
-        for change, label in SIMILAR_LABELS.items():
-            pairs = [(at[seed, upper - 1, "as_it_is"], at[seed, upper, change]) for seed in champions
-                     if (seed, upper - 1, "as_it_is") in at and (seed, upper, change) in at]
-            pairs = [pair for pair in pairs if np.hypot(*pair[0]) >= LEAST_BODY_LENGTHS * CELL_EDGE_M * 3 ** (upper - 1)]
-            if not pairs:
-                continue
-            label += OF_EXPORT if of_export and change == "as_it_is" else ""
-            row = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
-            row |= outcome(*(np.array(side) for side in zip(*pairs)))
-            made.append({key: cell(value) for key, value in row.items()})
-    if made:
-        write_table(HERE / "similar_statistics.csv", list(made[0]), made)
-
-
+FEWEST_DRAWN = 5  # robots of a dimension, fewer of which tell nothing in a picture
 BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))
 
 
@@ -349,7 +290,6 @@ def summary():
     write_table(HERE / "statistics.csv", list(rows[0]), rows)
     if compared := comparisons(every):
         write_table(HERE / "comparisons.csv", list(compared[0]), compared)
-    similar_statistics()
     if tests := dimension_tests(every.get("random", [])):
         write_table(HERE / "dimension_tests.csv", list(tests[0]), tests)
     dimensions = by_dimension(every.get("random", []), 1, 2) + by_dimension(every.get("random", []), 2, 3)
@@ -363,6 +303,8 @@ def draw_robots(panel, every):
     styles = {"random": ("#888888", ".", 9), "one_scale": ("#E69F00", "s", 22), "two_scales": ("#0072B2", "o", 26), "three_scales": ("#D55E00", "D", 26)}
     reach = 1.0
     for group, members in every.items():
+        if group not in styles:
+            continue
         lower_m, upper_m = moving(members, 1, 2)
         if not len(lower_m):
             continue
@@ -376,13 +318,13 @@ def draw_robots(panel, every):
     panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1)
     panel.annotate("carries over", (LARGEST_ANGLE_DEG - 1, high * 1.1), ha="right", va="bottom")
     panel.set(yscale="log", ylim=(0.7 / reach, 1.4 * reach), xlim=(-3, 183), xticks=range(0, 181, 45), xlabel="angle between the ways at 3 and 9 cells (degrees)",
-              ylabel="speed in body lengths,\n9 over 3 cells")
+              ylabel="speed in body lengths at 9 cells\nper side over that at 3 (ratio)")
     panel.legend(loc="upper left", bbox_to_anchor=(0.0, 1.0), framealpha=0.9)
 
 
 def draw_shares(panel, rows, names, positions):
     """Three shares of each row with intervals, and a cross for what chance gives. The longer axis of the panel is that of the shares."""
-    styles = {"carried_over": ("#0072B2", "o", "both: carries over"), "same_way": ("#D55E00", "D", "the same way"), "like_speed": ("#009E73", "s", "the same speed")}
+    styles = {"carried_over": ("#0072B2", "o", "both: carries over"), "same_way": ("#D55E00", "D", "the same way"), "like_speed": ("#009E73", "s", "half to twice as fast")}
     chance_of = {"carried_over": "by_chance", "same_way": "same_way_by_chance", "like_speed": "like_speed_by_chance"}
     for shift, (name, (colour, mark, label)) in zip((-0.22, 0.0, 0.22), styles.items()):
         values = [float(row[name]) for row in rows]
@@ -400,7 +342,8 @@ def draw(every, rows, dimensions):
     """Angle and factor of every robot, and the shares by group and by dimension; readable where it is printed 6.5 inches wide."""
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
-    heights = (2.9, 0.9 + 0.36 * len(rows), 0.7 + 0.36 * len(dimensions))
+    dimensions = [row for row in dimensions if int(row["robots"]) >= FEWEST_DRAWN]
+    heights = (2.9, 0.9 + 0.36 * len(rows), 0.9 + 0.36 * len(dimensions))
     figure, axes = pyplot.subplots(3, 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights)
     draw_robots(axes[0], every)
     draw_shares(axes[1], rows, [f"{row['label']},\n{row['cells']} cells (n = {row['robots']})" for row in rows], range(len(rows)))
@@ -408,6 +351,7 @@ def draw(every, rows, dimensions):
     names = [f"H from {row['dimension_from']} to {row['dimension_to']},\n{row['cells']} cells (n = {row['robots']})" for row in dimensions]
     if dimensions:
         draw_shares(axes[2], dimensions, names, range(len(dimensions)))
+        axes[2].legend(loc="upper center", bbox_to_anchor=(0.3, -0.2), ncols=4)
     for panel, letter, title in zip(axes, "abc", ("robots from 3 to 9 cells per side", "how many do the same at the next scale", "random robots by their Hausdorff dimension H")):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
@@ -418,14 +362,10 @@ def draw(every, rows, dimensions):
 
 def main(arguments):
     match arguments:
-        case ["random", source]:
-            add_random(pathlib.Path(source))
+        case [("random" | "random_balanced") as group, source]:
+            add_random(pathlib.Path(source), group)
         case ["champion", folder, group, seed]:
             add_champion(pathlib.Path(folder), group, seed)
-        case ["similar", folder]:
-            similar_scenes(pathlib.Path(folder))
-        case ["simulated", folder]:
-            take_similar(pathlib.Path(folder))
         case ["summary"]:
             summary()
         case _:

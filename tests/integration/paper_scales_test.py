@@ -91,8 +91,8 @@ class Case(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.tree = pathlib.Path(folder.name)
-        for name in ("sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/population.toml",
-                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "fractal/trials.py", "fractal/two_scales.toml"):
+        for name in ("multiple_tests.py", "presets/paper.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/population.toml",
+                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/two_scales.toml"):
             place = self.tree / "paper" / name
             place.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(SOURCES / "paper" / name, place)
@@ -148,7 +148,7 @@ class Discrepancies(Case):
         self.assertEqual(names[0], "text")
         self.assertIn("for variant in " + " ".join(names) + ";", experiment)
         kinds = [one["kind"] for name, one in variants.items() if name != "text"]
-        self.assertEqual([kind for kind, _ in itertools.groupby(kinds)], ["difference", "omission", "sensitivity"], "variants of one kind stand together")
+        self.assertEqual([kind for kind, _ in itertools.groupby(kinds)], ["difference", "omission", "physics", "sensitivity"], "variants of one kind stand together")
 
     def test_every_option_that_differs_between_text_and_code_is_compared_or_named_as_not_covered(self):
         text, code = options_of("paper"), options_of("released-code")
@@ -348,7 +348,7 @@ class ScaleInvariance(Case):
             place = self.tree / f"champion/level_{level}"
             place.mkdir(parents=True)
             (place / "result.toml").write_text(f"displacement_m = {moved}\n" if moved else 'status = "diverged"\n')
-        write(self.tree / "champion/lineage.csv", ["individual", "phenotype"], [[3, body(3)], [7, body(7)]])
+        write(self.tree / "champion/lineage.csv", ["individual", "phenotype"], [[3, body(3)], [7, body(77)]])
         for _ in range(2):  # the second takes the place of the first
             self.done(self.script, "champion", self.tree / "champion", "one_scale", "4")
         self.done(self.script, "summary")
@@ -419,43 +419,96 @@ class ScaleInvariance(Case):
         self.assertEqual([found[f"angle_spearman{end}"] for end in ("", "_low", "_high")], ["1", "1", "1"])
         self.assertEqual([found[f"speed_spearman{end}"] for end in ("", "_low", "_high")], ["-1", "-1", "-1"])
 
-    def test_similar_scenes_differ_in_weight_and_stiffness_only(self):
+    def test_which_scale_is_slower_is_asked_of_robots_that_move_at_either(self):
+        # Body lengths, of 30 mm at 3 cells and of 90 mm at 9: 2 and 1, 2 and 0.9, 3 and 2.1, 0.03 and 1; the fifth stands still at both.
+        ends = ([0.06, 0.0, 0.09, 0.0, "", ""], [0.06, 0.0, 0.0, 0.081, "", ""], [0.09, 0.0, 0.189, 0.0, "", ""], [0.0009, 0.0, 0.09, 0.0, "", ""],
+                [0.002, 0.0, 0.002, 0.0, "", ""])
+        self.champions([["random", n, body(n), *walk] for n, walk in enumerate(ends)])
+        self.done(self.script, "summary")
+        (row,) = [row for row in table_of(self.tree / "paper/scale_invariance/statistics.csv") if row["levels"] == "1 to 2"]
+        self.assertEqual([row[name] for name in ("moving_at_either", "larger_is_slower", "larger_is_slower_outcome")], ["4", "0.75", "open"])
+        self.assertEqual((float(row["smaller_per_minute"]), float(row["larger_per_minute"])), (24.0, 12.0))
+        # Differences of 1, 1.1, 0.9 and -0.97: rank 2 of 4 is against the others, as far as which are 3 of 16 choices of signs on either side.
+        self.assertAlmostEqual(float(row["p_scales"]), 6 / 16, delta=1e-4)
+
+    def test_a_random_robot_that_is_a_champion_counts_once(self):
+        walks = [0.03, 0.0, 0.09, 0.0, "", ""]
+        self.champions([["random", n, body(n), *walks] for n in range(4)] + [["two_scales", 1, body(2), *walks]])
+        self.done(self.script, "summary")
+        counts = {row["group"]: row["robots"] for row in table_of(self.tree / "paper/scale_invariance/statistics.csv")}
+        self.assertEqual(counts, {"random": "3", "two_scales": "1"})
+
+    def test_an_outcome_needs_test_and_interval(self):
+        # Four of ten against none of ten: Newcombe's interval ends above 0, Fisher's p is 0.087.
+        ends = {True: [0.03, 0.0, 0.09, 0.0, "", ""], False: [0.03, 0.0, 0.0, 0.09, "", ""]}
+        self.champions([[group, n, body(100 * place + n), *ends[n < hits]]
+                        for place, (group, hits) in enumerate((("one_scale", 0), ("two_scales", 4))) for n in range(10)])
+        self.done(self.script, "summary")
+        (row,) = table_of(self.tree / "paper/scale_invariance/comparisons.csv")
+        self.assertGreater(float(row["more_carried_over_low"]), 0.0)
+        self.assertAlmostEqual(float(row["p_carried_over"]), 0.0867, delta=1e-4)
+        self.assertEqual(row["more_carried_over_outcome"], "open")
+
+    changed = "scale_invariance/changed_walks.py"
+
+    def scenes(self, part):
         self.champions([["two_scales", 1, body(1), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0], ["two_scales", 2, body(2), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0],
-                        ["random", 3, body(3), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0]])
-        scenes = self.tree / "scenes"
-        self.done(self.script, "similar", scenes)
-        self.assertEqual(len(list(scenes.glob("*.toml"))), 2 * (1 + 2 * 4))
+                        ["one_scale", 1, body(3), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0], ["random", 3, body(4), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0]])
+        folder = self.tree / "scenes"
+        self.done(self.changed, part, folder)
+        return folder, {file.stem: tomllib.loads(file.read_text()) for file in folder.glob("*.toml")}
+
+    def walked(self, folder, **far_m):
+        for name, far in far_m.items():
+            (folder / name.replace("__", "-")).mkdir()
+            (folder / name.replace("__", "-") / "result.toml").write_text(f"displacement_m = [{far}, 0.0, 0.0]\n" if far else 'status = "diverged"\n')
+
+    def test_similar_scenes_differ_in_weight_stiffness_and_drag_only(self):
+        folder, scenes = self.scenes("similar")
+        self.assertEqual(len(scenes), 2 * (1 + 2 * 4), "champions of two scales alone")
+        preset = tomllib.loads((SOURCES / "paper/presets/paper.toml").read_text())
         study = tomllib.loads((SOURCES / "paper/fractal/two_scales.toml").read_text())
-        plain = tomllib.loads((scenes / "1_2_as_it_is.toml").read_text())
-        self.assertEqual(plain["integration"], study["integration"])
-        changed = tomllib.loads((scenes / "1_2_weight_and_stiffness.toml").read_text())
+        plain = scenes["two_scales-1-2-as_it_is"]
+        for table in ("loads", "ground", "materials", "damping", "drive", "collisions", "limits"):
+            self.assertEqual(plain[table], preset[table])
+        self.assertEqual(plain["integration"], preset["integration"] | study["integration"])
+        changed = scenes["two_scales-1-2-weight_and_stiffness"]
         self.assertAlmostEqual(changed["loads"].pop("gravity_m_per_s2"), 3 * plain["loads"].pop("gravity_m_per_s2"))
         self.assertAlmostEqual(changed["materials"].pop("youngs_modulus_Pa"), 9 * plain["materials"].pop("youngs_modulus_Pa"))
+        self.assertAlmostEqual(changed["damping"].pop("global"), plain["damping"].pop("global") / 3)
         self.assertEqual(changed, plain)
 
         # As it is the first one keeps its speed, with more weight it has half of it, and a third of that is no more like it.
-        def walked(name, far_m):
-            (scenes / name).mkdir()
-            (scenes / name / "result.toml").write_text(f"displacement_m = [{far_m}, 0.0, 0.0]\n")
-
-        for name, far_m in (("1_1_as_it_is", 0.02), ("1_2_as_it_is", 0.06), ("1_2_weight", 0.03), ("1_2_stiffness", 0.02), ("2_2_weight", 0.03)):
-            walked(name, far_m)
-        self.done(self.script, "simulated", scenes)
-        self.done(self.script, "summary")
-        folder = self.tree / "paper/scale_invariance"
-        found = {row["change"]: row for row in table_of(folder / "similar_statistics.csv")}
+        self.walked(folder, **{f"two_scales__{name}": far_m for name, far_m in (("1__1__as_it_is", 0.02), ("1__2__as_it_is", 0.06), (
+            "1__2__weight", 0.03), ("1__2__stiffness", 0.02), ("2__2__weight", 0.03))})
+        self.done(self.changed, "take", folder, "similar")
+        self.done(self.changed, "summary")
+        found = {row["change"]: row for row in table_of(self.tree / "paper/scale_invariance/similar_statistics.csv")}
         self.assertEqual({change: (row["robots"], row["speed_factor"], row["like_speed"]) for change, row in found.items()},
                          {"as_it_is": ("1", "1", "1"), "weight": ("1", "0.5", "1"), "stiffness": ("1", "0.3333", "0")}, "the second one has no baseline")
-        self.assertEqual(found["as_it_is"]["label"], "as it is")
-        # Without the smallest level the table is of before: the baseline is the search's, and says so.
-        write(folder / "similar.csv", ["seed", "phenotype", "level", "change", "dx_m", "dy_m"], [[1, body(1), 2, "as_it_is", 0.09, 0.0], [1, body(1), 2, "weight", 0.045, 0.0]])
-        self.done(self.script, "summary")
-        found = {row["change"]: row for row in table_of(folder / "similar_statistics.csv")}
-        self.assertEqual((found["as_it_is"]["label"], found["weight"]["label"]), ("as it is, other integration", "gravity x 3"))
-        self.assertEqual((found["as_it_is"]["speed_factor"], found["weight"]["speed_factor"]), ("1", "0.5"))
+
+    def test_balanced_scenes_differ_in_the_moments_of_beams_only(self):
+        folder, scenes = self.scenes("balanced")
+        self.assertEqual(len(scenes), 3 * 2 * 3, "champions of all searches at two scales")
+        plain, changed, halved = (scenes[f"one_scale-1-2-{name}"] for name in ("as_it_is", "balanced", "half_step"))
+        self.assertEqual((plain["materials"].pop("beam_moments"), changed["materials"].pop("beam_moments")), ("published", "balanced"))
+        self.assertEqual(changed, plain)
+        self.assertEqual(halved["integration"].pop("time_step_fraction"), plain["integration"].pop("time_step_fraction") / 2)
+
+        # At 3 cells the only one of one scale keeps a quarter; of two champions of two scales one keeps all, and the other one fails.
+        self.walked(folder, one_scale__1__1__as_it_is=0.12, one_scale__1__1__balanced=0.03, one_scale__1__1__half_step=0.09,
+                    two_scales__1__1__as_it_is=0.06, two_scales__1__1__balanced=0.06, two_scales__2__1__as_it_is=0.06, two_scales__2__1__balanced=None)
+        self.done(self.changed, "take", folder, "balanced")
+        self.assertEqual(len(table_of(self.tree / "paper/scale_invariance/balanced.csv")), 7)
+        self.done(self.changed, "summary")
+        found = {(row["group"], row["change"]): row for row in table_of(self.tree / "paper/scale_invariance/balanced_statistics.csv")}
+        one = found["one_scale", "balanced"]
+        self.assertEqual([one[name] for name in ("cells_per_side", "before_per_minute", "after_per_minute", "ratio", "keep_half")], ["3", "48", "12", "0.25", "0"])
+        self.assertEqual([found["one_scale", "half_step"][name] for name in ("ratio", "keep_half")], ["0.75", "1"])
+        self.assertEqual([found["two_scales", "balanced"][name] for name in ("robots", "ratio", "keep_half")], ["2", "0.5", "0.5"])
 
     def test_refuses_what_it_does_not_know(self):
-        self.refused("ham: must be one of random, one_scale", self.script, "champion", self.tree, "ham", "1")
+        self.refused("ham: must be one of one_scale, two_scales", self.script, "champion", self.tree, "ham", "1")
         self.refused("result.toml: cannot be read", self.script, "champion", self.tree, "one_scale", "1")
 
 
@@ -495,6 +548,7 @@ class Trials(Case):
         self.assertLess(float(fractal["p_first_last_rank_sum"]), 1e-3)
         self.assertEqual((fractal["larger_is_slower_outcome"], compared[0]["larger_outcome"]), ("reproduced", "reproduced"))
         self.assertEqual([fractal[f"{name}_{end}"] for name in ("dimension_2", "dimension_2.5_to_2.7") for end in ("p_paper", "outcome")], ["1", "open"] * 2)
+        self.assertEqual(fractal["random_best"], "", "no random robot walked")
         self.assertEqual(len(table_of(folder / "champions.csv")), 25)
         xml.dom.minidom.parse(str(folder / "trials.svg"))
 
@@ -514,8 +568,8 @@ class Trials(Case):
         ways = sum(sum(rank for rank, sign in zip(range(1, 11), signs) if sign) <= 19 for signs in itertools.product((0, 1), repeat=10))
         self.assertAlmostEqual(float(found["p_scales"]), 2 * ways / 1024, delta=1e-4)
         self.assertEqual((found["gain"], found["gain_outcome"], found["p_first_last"]), ("0", "open", "1"))
-        self.assertEqual((found["dimension_2_outcome"], found["dimension_2_p_paper"]), ("differs", "0.03251"))
-        self.assertEqual((found["dimension_2.5_to_2.7_outcome"], found["dimension_2.5_to_2.7_p_paper"]), ("differs", "0.03251"), "ten are not five, either")
+        self.assertEqual((found["dimension_2_outcome"], found["dimension_2_p_paper"]), ("open", "0.06502"), "by Holm's method")
+        self.assertEqual((found["dimension_2.5_to_2.7_outcome"], found["dimension_2.5_to_2.7_p_paper"]), ("open", "0.06502"), "ten are not five, either")
         self.assertEqual(table_of(self.tree / "paper/fractal/comparisons.csv")[0]["larger_outcome"], "open")
 
     def test_means_stand_at_their_generations(self):
@@ -578,11 +632,40 @@ class Trials(Case):
             self.trial("fractal/two_scales", seed, 1.0)
         with open(self.tree / "paper/fractal/two_scales/2.csv", "a", encoding="utf-8") as text:
             text.write("3,9,27,3,9,9\n")
-        self.assertIn("all trials have 2 generations; further ones of 2 do not count yet", self.done(self.script))
+        self.done(self.script)
+        row, longer = table_of(self.tree / "paper/fractal/statistics.csv")
+        self.assertEqual((row["arm"], row["trials"], row["generations"], row["last"], row["dimension_2"]), ("fractal", "2", "2", "12", "2"))
+        self.assertEqual((longer["arm"], longer["trials"], longer["generations"], longer["last"], longer["dimension_2"]), ("fractal_longer", "1", "3", "108", "0"))
+        champions = {(row["arm"], row["seed"]): (row["body_lengths_per_minute"], row["cells"]) for row in table_of(self.tree / "paper/fractal/champions.csv")}
+        self.assertEqual(champions, {("fractal", "1"): ("12", "9"), ("fractal", "2"): ("12", "9"), ("fractal_longer", "2"): ("108", "27")})
+
+    def test_longer_trials_are_compared_as_far_as_all_of_them_go(self):
+        for folder, seeds, last in (("fractal", (1, 2, 3), 2.0), ("non_fractal", (1001, 1002, 1003), 1.0)):
+            for seed in seeds:
+                self.trial(f"{folder}/two_scales", seed, 0.5)
+                longer = seed - seeds[0]  # further generations: none, one, two
+                with open(self.tree / f"paper/{folder}/two_scales/{seed}.csv", "a", encoding="utf-8") as text:
+                    text.writelines(f"{3 + n},{last * (1 + n)},9,2,{last},{last}\n" for n in range(longer))
+        self.done(self.script)
+        short, longer = table_of(self.tree / "paper/fractal/comparisons.csv")
+        self.assertEqual((short["arms"], short["trials"], short["generations"], short["larger"]), ("fractal and non_fractal", "3", "2", "0.5"))
+        self.assertEqual([longer[name] for name in ("arms", "trials", "other_trials", "generations", "larger", "medians_ratio")],
+                         ["fractal_longer and non_fractal_longer", "2", "2", "3", "1", "2"])
+        xml.dom.minidom.parse(str(self.tree / "paper/fractal/trials.svg"))
+
+    def test_trials_are_compared_with_the_best_of_as_many_random_robots(self):
+        # A trial of two generations asks for 15 + 2 x 16 = 47 robots. Of 100 random ones with 1 to 100 mm at 9 cells, slower there than at 3,
+        # the best of 47 is at most the 98th with probability 0.98^47 = 0.387, at most the 99th with 0.624: the median is 99 mm.
+        rows = [["random", 1, n, 3, body(n), 0.09, 0.0, 0.001 * (n + 1), 0.0, "", ""] for n in range(100)]
+        write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"]
+              + [f"level_{level}_d{axis}_m" for level in (1, 2, 3) for axis in "xy"], rows)
+        for seed in range(1, 11):
+            self.trial("fractal/two_scales", seed, 98.5 / 90 if seed == 1 else 3.0)
+        self.done(self.script)
         (row,) = table_of(self.tree / "paper/fractal/statistics.csv")
-        self.assertEqual((row["generations"], row["last"], row["dimension_2"]), ("2", "12", "2"))
-        champion = table_of(self.tree / "paper/fractal/champions.csv")[1]
-        self.assertEqual((champion["seed"], champion["body_lengths_per_minute"], champion["cells"]), ("2", "12", "9"))
+        self.assertEqual([row[name] for name in ("asked", "random_robots", "beats_random_outcome")], ["47", "100", "reproduced"])
+        self.assertAlmostEqual(float(row["random_best"]), 12 * 0.099 / 0.09, delta=1e-2)
+        self.assertAlmostEqual(float(row["beats_random"]), 0.9 + 0.1 * 0.98**47, delta=1e-3)
 
     def test_refuses_a_trial_without_generations(self):
         write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])

@@ -20,6 +20,13 @@ import sample_statistics as statistics  # noqa: E402
 
 
 class SampleStatistics(unittest.TestCase):
+    def test_changes_of_pairs(self):
+        # 8 gained and 1 lost, of 9 that changed: 0, 1, 8 or 9 of 9 fair coins are as far, 2 (1 + 9) of 512. Who keeps it does not count.
+        before = [False] * 8 + [True] + [True] * 20
+        after = [True] * 8 + [False] + [True] * 20
+        self.assertAlmostEqual(statistics.mcnemar(before, after), 20 / 512)
+        self.assertEqual(statistics.mcnemar([True, False], [True, False]), 1.0)
+
     def test_rank_sum_of_membranes(self):
         # Permeability at term and before: Hollander and Wolfe, Nonparametric Statistical Methods (1973), p. 69: one-sided p = 0.1272.
         at_term = [0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46]

@@ -1,0 +1,184 @@
+#!/usr/bin/python3
+"""Walks of champions with something changed that may explain why they do not do the same at the next scale.
+
+changed_walks.py similar FOLDER      writes scenes of the champions of two scales at larger scales, each with the weight, the stiffness, or
+                                     both that make it as heavy and as stiff for its size as at the scale before
+changed_walks.py balanced FOLDER     writes scenes of all champions at the two smallest scales: as they are, with beams whose moments balance
+                                     their forces, and with half the time step
+changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
+changed_walks.py summary             makes similar_statistics.csv and balanced_statistics.csv of the tables that there are
+
+Exit codes: 0 done, 2 wrong input.
+"""
+
+import math
+import pathlib
+import re
+import sys
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+import numpy as np  # noqa: E402
+from sample_statistics import median, share, signed_rank  # noqa: E402
+from scale_invariance import (CELL_EDGE_M, EVOLVED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, outcome, robots,  # noqa: E402
+                              same_way)
+from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
+
+COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
+SEARCH_STUDY = HERE.parent / "fractal" / "two_scales.toml"
+PRESET = HERE.parent / "presets" / "paper.toml"
+# A body three times as long that moves as often has three times the accelerations. It is as heavy beside them with three times the
+# gravity, and as stiff with nine times the modulus: stress is modulus times strain, and density times acceleration times length.
+SIMILAR = {"as_it_is": (1.0, 1.0), "weight": (3.0, 1.0), "stiffness": (1.0, 9.0), "weight_and_stiffness": (3.0, 9.0)}
+SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": "Young's modulus x 9", "weight_and_stiffness": "both"}
+# Champions are the best of many as they are, so that any change makes them slower: half the time step is the change to compare with.
+BALANCED = {"as_it_is": {}, "balanced": {"materials": {"beam_moments": "balanced"}}, "half_step": {"integration": {"time_step_fraction": 0.45}}}
+BALANCED_LABELS = {"balanced": "balanced moments", "half_step": "half the time step"}
+BALANCED_LEVELS = (1, 2)
+LEAST_SHARE = 0.5  # of its speed, which a champion keeps
+
+
+def champions(*groups):
+    return [row for row in robots() if row["group"] in groups]
+
+
+def scene(robot, level, changes):
+    """A scene with the physics of the search but for what is changed: the preset "paper" with the search's own integration.
+
+    @param changes {table: {key: number or word}}"""
+    preset = read_toml(PRESET)
+    tables = {name: dict(preset[name]) for name in ("loads", "ground", "materials", "damping", "drive", "collisions", "limits")}
+    tables["integration"] = preset["integration"] | read_toml(SEARCH_STUDY)["integration"]
+    for table, keys in changes.items():
+        tables[table] |= keys
+    design = {"name": f"champion_{robot['group']}_{robot['seed']}", "cell_edge_m": CELL_EDGE_M, "cells": [3, 3, 3], "digits": robot["phenotype"], "level": level}
+    time = {"duration_s": preset["time"]["duration_s"], "record_interval_s": 0.2}
+    return toml_text({"design": design, "time": time, "output": {"frames": False, "pictures": False}} | tables)
+
+
+def write_scene(folder, robot, level, change, changes):
+    folder.mkdir(parents=True, exist_ok=True)
+    write_whole(folder / f"{robot['group']}-{robot['seed']}-{level}-{change}.toml", scene(robot, level, changes))
+
+
+def similar_scenes(folder):
+    """Those as they are come from the same program as the changed ones, at the smallest level, too.
+
+    The global damping is a fraction of 2 sqrt(m E L), and acts on velocities that are three times as large beside accelerations that are
+    so, too: a body with nine times the modulus has a third of that fraction. The damping of beams, 1 % of their stress at the frequency
+    of the drive, is left as it is, and contacts give way in proportion to the modulus."""
+    preset = read_toml(PRESET)
+    for robot in champions("two_scales"):
+        for level in LEVELS:
+            for change, (weight, stiffness) in SIMILAR.items():
+                if level == LEVELS[0] and change != "as_it_is":
+                    continue
+                write_scene(folder, robot, level, change, {
+                    "loads": {"gravity_m_per_s2": preset["loads"]["gravity_m_per_s2"] * weight},
+                    "materials": {"youngs_modulus_Pa": preset["materials"]["youngs_modulus_Pa"] * stiffness},
+                    "damping": {"global": preset["damping"]["global"] / math.sqrt(stiffness)}})
+
+
+def balanced_scenes(folder):
+    for robot in champions(*EVOLVED):
+        for level in BALANCED_LEVELS:
+            for change, changes in BALANCED.items():
+                write_scene(folder, robot, level, change, changes)
+
+
+def take(folder, table):
+    """Walks that are not there yet have no row, and failed ones no ends."""
+    rows = []
+    for file in sorted(folder.glob("*.toml"), key=lambda file: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", file.stem)]):
+        group, seed, level, change = file.stem.split("-")
+        result = folder / file.stem / "result.toml"
+        if not result.exists():
+            continue
+        ends_m = [cell(value, 6) for value in read_toml(result).get("displacement_m", ["", ""])[:2]]
+        rows.append(dict(zip(COLUMNS, [group, seed, read_toml(file)["design"]["digits"], level, change, *ends_m])))
+    write_table(HERE / f"{table}.csv", COLUMNS, rows)
+
+
+def walks_of(table):
+    """{(group, seed): {(level, change): end in metres}}; a walk that failed went nowhere."""
+    file = HERE / f"{table}.csv"
+    walks = {}
+    for row in read_table(file) if file.exists() else []:
+        end_m = np.array([float(row[name] or 0.0) for name in ("dx_m", "dy_m")])
+        walks.setdefault((row["group"], row["seed"]), {})[int(row["level"]), row["change"]] = end_m
+    return walks
+
+
+def body_lengths(end_m, level):
+    return np.hypot(*np.asarray(end_m).T) / (CELL_EDGE_M * 3**level)
+
+
+def similar_statistics():
+    """Whether champions carry over to the next scale where weight and stiffness are those of a body of its size."""
+    walks = walks_of("similar")
+    rows = []
+    for upper in LEVELS[1:]:
+        for change, label in SIMILAR_LABELS.items():
+            wanted = ((upper - 1, "as_it_is"), (upper, change))
+            pairs = [tuple(found[one] for one in wanted) for found in walks.values() if all(one in found for one in wanted)]
+            pairs = [pair for pair in pairs if body_lengths(pair[0], upper - 1) >= LEAST_BODY_LENGTHS]
+            if pairs:
+                about = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
+                rows.append(about | outcome(*(np.array(side) for side in zip(*pairs))))
+    return rows
+
+
+def balanced_statistics():
+    """What is left of the speed of champions at the same scale where the moments of beams balance their forces, and with half the step."""
+    walks = walks_of("balanced")
+    rows = []
+    for group in EVOLVED:
+        for level in BALANCED_LEVELS:
+            for change, label in BALANCED_LABELS.items():
+                wanted = ((level, "as_it_is"), (level, change))
+                pairs = [[found[one] for one in wanted] for (of_group, _), found in walks.items() if of_group == group and all(one in found for one in wanted)]
+                pairs = [pair for pair in pairs if body_lengths(pair[0], level) >= LEAST_BODY_LENGTHS]
+                if pairs:
+                    about = {"group": group, "change": change, "level": level, "cells_per_side": 3**level, "label": GROUPS[group], "changed": label}
+                    rows.append(about | kept(*(np.array(side) for side in zip(*pairs)), level))
+    return rows
+
+
+def kept(before_m, after_m, level):
+    """How fast robots are before and after a change, how many keep half of their speed, and how many their way."""
+    before, after = body_lengths(before_m, level), body_lengths(after_m, level)
+    ratio = median(after / before)
+    keep = share(int(np.sum(after >= LEAST_SHARE * before)), len(before))
+    row = {"robots": len(before), "before_per_minute": float(np.median(before)) * PER_MINUTE, "after_per_minute": float(np.median(after)) * PER_MINUTE,
+           "fastest_before_per_minute": float(before.max()) * PER_MINUTE, "fastest_after_per_minute": float(after.max()) * PER_MINUTE,
+           "ratio": ratio.value, "ratio_low": ratio.low, "ratio_high": ratio.high, "p": signed_rank(before, after)}
+    turned = share(int(same_way(*angle_and_factor(before_m, after_m)).sum()), len(before))
+    for name, found in (("keep_half", keep), ("same_way", turned)):
+        row |= {name: found.value, f"{name}_low": found.low, f"{name}_high": found.high}
+    return row
+
+
+def summary():
+    for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics())):
+        if rows:
+            write_table(HERE / f"{name}.csv", list(rows[0]), [{key: cell(value) for key, value in row.items()} for row in rows])
+
+
+def main(arguments):
+    match arguments:
+        case ["similar", folder]:
+            similar_scenes(pathlib.Path(folder))
+        case ["balanced", folder]:
+            balanced_scenes(pathlib.Path(folder))
+        case ["take", folder, ("similar" | "balanced") as table]:
+            take(pathlib.Path(folder), table)
+        case ["summary"]:
+            summary()
+        case _:
+            raise InputError(__doc__)
+
+
+if __name__ == "__main__":
+    run_script(main)
