@@ -89,14 +89,14 @@ def balanced_scenes(folder):
 
 
 def take(folder, table):
-    """Walks that are not there yet have no row, and failed ones no ends."""
+    """Walks that are not there yet, or were stopped, have no row, and failed ones no ends."""
     rows = []
     for file in sorted(folder.glob("*.toml"), key=lambda file: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", file.stem)]):
         group, seed, level, change = file.stem.split("-")
         result = folder / file.stem / "result.toml"
-        if not result.exists():
+        if not result.exists() or (found := read_toml(result)).get("status") == "stopped":
             continue
-        ends_m = [cell(value, 6) for value in read_toml(result).get("displacement_m", ["", ""])[:2]]
+        ends_m = [cell(value, 6) for value in found.get("displacement_m", ["", ""])[:2]]
         rows.append(dict(zip(COLUMNS, [group, seed, read_toml(file)["design"]["digits"], level, change, *ends_m])))
     write_table(HERE / f"{table}.csv", COLUMNS, rows)
 

@@ -498,8 +498,10 @@ class ScaleInvariance(Case):
         # At 3 cells the only one of one scale keeps a quarter; of two champions of two scales one keeps all, and the other one fails.
         self.walked(folder, one_scale__1__1__as_it_is=0.12, one_scale__1__1__balanced=0.03, one_scale__1__1__half_step=0.09,
                     two_scales__1__1__as_it_is=0.06, two_scales__1__1__balanced=0.06, two_scales__2__1__as_it_is=0.06, two_scales__2__1__balanced=None)
+        (folder / "two_scales-2-2-balanced").mkdir()
+        (folder / "two_scales-2-2-balanced/result.toml").write_text('status = "stopped"\n')
         self.done(self.changed, "take", folder, "balanced")
-        self.assertEqual(len(table_of(self.tree / "paper/scale_invariance/balanced.csv")), 7)
+        self.assertEqual(len(table_of(self.tree / "paper/scale_invariance/balanced.csv")), 7, "the one that was stopped has no row")
         self.done(self.changed, "summary")
         found = {(row["group"], row["change"]): row for row in table_of(self.tree / "paper/scale_invariance/balanced_statistics.csv")}
         one = found["one_scale", "balanced"]
