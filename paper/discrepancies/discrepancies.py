@@ -36,7 +36,8 @@ TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten
 SPONGE_CELLS = (16, 19)  # those of a Hausdorff dimension of 2.5 to 2.7, as half of the paper's champions have
 # What a variant is, in the order of tables and of the figure.
-KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "physics": "in both, beams turn bodies", "sensitivity": "sensitivity"}
+KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "physics": "in both, beams turn bodies",
+         "sensitivity": "sensitivity"}
 
 
 def variants():
@@ -243,8 +244,9 @@ def from_scale_to_scale(walks, lower, upper):
         ends_m = walks.ends_m[lower][moving], walks.ends_m[upper][moving]
         chance = by_chance(*ends_m)
         row |= {"carried_over_by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"]}
-        row |= interval("same_way", share(int(np.sum(same_way(*angle_and_factor(*ends_m)))), row["moving"]))
-        row |= judged("carried_over", share(int(np.sum(carries_over(*angle_and_factor(*ends_m)))), row["moving"]), row["carried_over_by_chance"])
+        changes = angle_and_factor(*ends_m)
+        row |= interval("same_way", share(int(np.sum(same_way(*changes))), row["moving"]))
+        row |= judged("carried_over", share(int(np.sum(carries_over(*changes))), row["moving"]), row["carried_over_by_chance"])
         row |= judged("scales_spearman", spearman(small[ended], large[ended]), 0.0)
     return row
 

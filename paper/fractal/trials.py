@@ -7,10 +7,11 @@ trials.py    reads the tables of trials that there are: two_scales/SEED.csv here
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on
 stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
 at the last generation that both have. The best robot of a trial at first and at the end, and a champion at two scales, are pairs: p is
-that of the signed-rank test. The rank-sum test, which the paper used and which takes them for samples apart, stands beside it. The best robot can only rise, so the fractal trials are also compared with the best of as many random
-robots as a trial asks for, where as many have walked. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect,
-"not reproduced" on the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05, with
-Holm's correction for the shares of two dimensions).
+that of the signed-rank test. The rank-sum test, which the paper used and which takes them for samples apart, stands beside it. The best
+robot can only rise, so the fractal trials are also compared with the best of as many random robots as a trial asks for, where as many
+have walked. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on
+the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05, with Holm's correction
+for the shares of two dimensions).
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -26,10 +27,9 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 import numpy as np  # noqa: E402
 from multiple_tests import holm  # noqa: E402
 from sample_statistics import OUTCOMES, bootstrap, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
-from scale_invariance import AT_TWO_SCALES, fitness, robots  # noqa: E402
+from scale_invariance import AT_TWO_SCALES, fitness, robots, with_more  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
-
 
 
 @dataclass(frozen=True)
@@ -112,9 +112,8 @@ def champions(arms):
 
 def random_speeds():
     """Of random robots at two scales: the slower speed of each body, ascending, body lengths a minute."""
-    bodies = {row["phenotype"]: row for row in (read_table(AT_TWO_SCALES) if AT_TWO_SCALES.exists() else [])}
-    bodies |= {row["phenotype"]: row for row in robots() if row["group"] == "random"}
-    speeds = fitness(list(bodies.values())) * PER_MINUTE if bodies else np.empty(0)
+    drawn = with_more([row for row in robots() if row["group"] == "random"], AT_TWO_SCALES)
+    speeds = fitness(drawn) * PER_MINUTE if drawn else np.empty(0)
     return np.sort(speeds[np.isfinite(speeds)])
 
 

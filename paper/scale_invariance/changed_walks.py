@@ -22,8 +22,8 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
 from sample_statistics import median, share, signed_rank  # noqa: E402
-from scale_invariance import (CELL_EDGE_M, EVOLVED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, outcome, robots,  # noqa: E402
-                              same_way)
+from scale_invariance import (CELL_EDGE_M, EVOLVED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths, outcome,  # noqa: E402
+                              robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 
 COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
@@ -111,8 +111,11 @@ def walks_of(table):
     return walks
 
 
-def body_lengths(end_m, level):
-    return np.hypot(*np.asarray(end_m).T) / (CELL_EDGE_M * 3**level)
+def pairs_of(walks, first, second):
+    """The ends of two walks, (level, change) each, of all robots that have both and move in the first one: two arrays, or nothing."""
+    pairs = [(found[first], found[second]) for found in walks if first in found and second in found]
+    pairs = [pair for pair in pairs if body_lengths(pair[0], first[0]) >= LEAST_BODY_LENGTHS]
+    return [np.array(side) for side in zip(*pairs)]
 
 
 def similar_statistics():
@@ -121,12 +124,9 @@ def similar_statistics():
     rows = []
     for upper in LEVELS[1:]:
         for change, label in SIMILAR_LABELS.items():
-            wanted = ((upper - 1, "as_it_is"), (upper, change))
-            pairs = [tuple(found[one] for one in wanted) for found in walks.values() if all(one in found for one in wanted)]
-            pairs = [pair for pair in pairs if body_lengths(pair[0], upper - 1) >= LEAST_BODY_LENGTHS]
-            if pairs:
+            if pairs := pairs_of(walks.values(), (upper - 1, "as_it_is"), (upper, change)):
                 about = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
-                rows.append(about | outcome(*(np.array(side) for side in zip(*pairs))))
+                rows.append(about | outcome(*pairs))
     return rows
 
 
@@ -135,14 +135,12 @@ def balanced_statistics():
     walks = walks_of("balanced")
     rows = []
     for group in EVOLVED:
+        of_group = [found for (name, _), found in walks.items() if name == group]
         for level in BALANCED_LEVELS:
             for change, label in BALANCED_LABELS.items():
-                wanted = ((level, "as_it_is"), (level, change))
-                pairs = [[found[one] for one in wanted] for (of_group, _), found in walks.items() if of_group == group and all(one in found for one in wanted)]
-                pairs = [pair for pair in pairs if body_lengths(pair[0], level) >= LEAST_BODY_LENGTHS]
-                if pairs:
+                if pairs := pairs_of(of_group, (level, "as_it_is"), (level, change)):
                     about = {"group": group, "change": change, "level": level, "cells_per_side": 3**level, "label": GROUPS[group], "changed": label}
-                    rows.append(about | kept(*(np.array(side) for side in zip(*pairs)), level))
+                    rows.append(about | kept(*pairs, level))
     return rows
 
 

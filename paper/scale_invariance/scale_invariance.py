@@ -141,9 +141,14 @@ def by_chance(lower_m, upper_m):
     return {name: float(np.mean(measure(*found))) for name, measure in MEASURES.items()}
 
 
+def body_lengths(ends_m, level):
+    """How far robots get in a walk that ends there."""
+    return np.hypot(*ends_m.T) / (CELL_EDGE_M * 3**level)
+
+
 def fitness(rows):
     """The slower of the speeds at the two smallest levels, in body lengths of a walk: what selection at two scales sees."""
-    return np.min([np.hypot(*ends(rows, level).T) / (CELL_EDGE_M * 3**level) for level in LEVELS[:2]], axis=0)
+    return np.min([body_lengths(ends(rows, level), level) for level in LEVELS[:2]], axis=0)
 
 
 def fastest(rows, count):
@@ -197,7 +202,7 @@ def outcome(lower_m, upper_m):
 def which_is_slower(rows, lower, upper):
     """Of the robots that move at either level: how many are slower at the larger one, and whether the speeds differ. Those that move at the
     smaller one are chosen for being fast there."""
-    speeds = np.array([np.hypot(*ends(rows, level).T) / (CELL_EDGE_M * 3**level) for level in (lower, upper)])
+    speeds = np.array([body_lengths(ends(rows, level), level) for level in (lower, upper)])
     small, large = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax(*speeds) >= LEAST_BODY_LENGTHS)]
     if not len(small):
         return dict.fromkeys(("moving_at_either", "larger_is_slower", "larger_is_slower_low", "larger_is_slower_high", "larger_is_slower_outcome",
@@ -303,7 +308,7 @@ def draw_robots(panel, every):
     styles = {"random": ("#888888", ".", 9), "one_scale": ("#E69F00", "s", 22), "two_scales": ("#0072B2", "o", 26), "three_scales": ("#D55E00", "D", 26)}
     reach = 1.0
     for group, members in every.items():
-        if group not in styles:
+        if group not in styles:  # hundreds of points more would hide the others
             continue
         lower_m, upper_m = moving(members, 1, 2)
         if not len(lower_m):
