@@ -73,11 +73,8 @@ bool EnergyBalance::add_axis() {
       add(lower, loads.lower_force, loads.lower_moment);
       add(upper, loads.upper_force, loads.upper_moment);
     };
-    const auto as_it_acts = [&](const BeamLoads<double>& loads) {
-      return d.balances_moments ? balanced(loads, step.state, ends.rest_length) : loads;
-    };
-    add_loads(elastic, as_it_acts(step.elastic));
-    add_loads(bond_damping, as_it_acts(step.damping));
+    add_loads(elastic, acting_loads(d.balances_moments, step.elastic, step.state, ends.rest_length));
+    add_loads(bond_damping, acting_loads(d.balances_moments, step.damping, step.state, ends.rest_length));
 
     const BeamLoads<double> loads = to_world(step.state.frame, loads_of(d, step, ends.rest_length));
     Lines<double> lower_line{};

@@ -81,12 +81,28 @@ struct BeamStep {
   BeamLoads<T> damping;
 };
 
+/// Returns the state of a beam in this step.
+/// @param balances see StepConstants::balances_moments
+/// @param small whether the beam was in the small-angle state, see beam_state
+template <class T>
+MENGER_HOST_DEVICE inline BeamState<T> state_of_beam(bool balances, const BeamEnds<T>& ends, const T& small) {
+  return balances ? balanced_state(ends) : beam_state(ends, small);
+}
+
+/// Returns loads on a beam, in its frame, as they act on its ends.
+/// @param balances see StepConstants::balances_moments
+/// @param loads as the laws give them
+template <class T>
+MENGER_HOST_DEVICE inline BeamLoads<T> acting_loads(bool balances, const BeamLoads<T>& loads, const BeamState<T>& state,
+                                                    const T& rest_length) {
+  return balances ? balanced(loads, state, rest_length) : loads;
+}
+
 /// Returns all loads on a beam in a step, in its frame.
 template <class T>
 MENGER_HOST_DEVICE inline BeamLoads<T> loads_of(const StepConstants<RealOf<T>>& d, const BeamStep<T>& step,
                                                 const T& rest_length) {
-  const BeamLoads<T> loads = step.elastic + step.damping;
-  return d.balances_moments ? balanced(loads, step.state, rest_length) : loads;
+  return acting_loads(d.balances_moments, step.elastic + step.damping, step.state, rest_length);
 }
 
 /// Returns the damping loads of one beam per lane in this step, in its frame.
@@ -108,7 +124,7 @@ MENGER_HOST_DEVICE inline BeamLoads<T> damping_of_beam(const RealOf<T>& rate_sca
 
 /// Returns the state of one beam per lane in this step with its loads, and stores the state for the next step. Parameters are
 /// those of damping_of_beam.
-/// @param balances whether the moments of the beam balance its forces, see balanced
+/// @param balances see StepConstants::balances_moments
 /// @param history of the beam, history_values numbers or packs, `stride` numbers from one to the next
 template <bool Velocity, bool Shears, class T, class Rates>
 MENGER_HOST_DEVICE inline BeamStep<T> step_of_beam(const RealOf<T>& rate_scale, bool balances, const BeamCoefficients<T>& c,
@@ -116,7 +132,7 @@ MENGER_HOST_DEVICE inline BeamStep<T> step_of_beam(const RealOf<T>& rate_scale, 
                                                    std::size_t stride) {
   const BeamHistory<T> last = load_history<T>(history, stride);
   BeamStep<T> step;
-  step.state = balances ? balanced_state(ends) : beam_state(ends, last.small);
+  step.state = state_of_beam(balances, ends, last.small);
   step.elastic = beam_elastic_loads<Shears>(c, step.state.deformation, ends.rest_length);
   step.damping = damping_of_beam<Velocity, Shears, T>(rate_scale, c, step.state, last, ends, rates);
   store_history<Velocity>(history, stride, step.state);

@@ -111,10 +111,10 @@ inline BeamLoads<T> pack_beam_loads(const StepConstants<RealOf<T>>& d, const Bea
   if (d.single_precision_rest_lengths) ends.rest_length = rounded_to_single(ends.rest_length);
   // Not by step_of_beam: elastic and damping loads apart from each other need more registers than there are.
   const BeamHistory<T> history = load_history<T>(remembered, pack_stride<T>(1));
-  const BeamState<T> state = d.balances_moments ? balanced_state(ends) : beam_state(ends, history.small);
+  const BeamState<T> state = state_of_beam(d.balances_moments, ends, history.small);
   BeamLoads<T> loads = beam_elastic_loads<false>(c, state.deformation, ends.rest_length);
   loads = loads + damping_of_beam<Velocity, false, T>(d.rate_scale, c, state, history, ends, rates);
-  if (d.balances_moments) loads = balanced(loads, state, ends.rest_length);
+  loads = acting_loads(d.balances_moments, loads, state, ends.rest_length);
   store_history<Velocity>(remembered, pack_stride<T>(1), state);
   in_range = is_strain_in_range(state.deformation, ends.rest_length, T(d.strain_limit));
   return to_world(state.frame, loads);
