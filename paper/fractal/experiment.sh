@@ -5,6 +5,9 @@ done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "in_pieces_$seed" "3 min of two cores" "the same where aggregates may fall apart"
 done
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+  part "balanced_$seed" "4 min of two cores" "as two_scales_$seed with beams whose moments balance their forces"
+done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
 part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
@@ -22,6 +25,7 @@ full() {
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "two_scales_$seed() { search two_scales $seed; }"
   eval "in_pieces_$seed() { search two_scales_in_pieces $seed; }"
+  eval "balanced_$seed() { search two_scales_balanced $seed; }"
 done
 
 # shellcheck disable=SC2154  # $study is that of run_experiment.sh

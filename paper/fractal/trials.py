@@ -2,7 +2,7 @@
 """What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv and trials.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
-             and three_scales/SEED.csv in both folders
+             two_scales_balanced/SEED.csv, and three_scales/SEED.csv in both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on
 stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
@@ -27,7 +27,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 import numpy as np  # noqa: E402
 from multiple_tests import holm  # noqa: E402
 from sample_statistics import OUTCOMES, bootstrap, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
-from scale_invariance import AT_TWO_SCALES, fitness, robots, with_more  # noqa: E402
+from scale_invariance import fitness, random_robots  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -53,6 +53,7 @@ LEVELS = (1, 2, 3)
 NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", falls_apart=True),
+        "balanced": Arm(HERE / "two_scales_balanced", "fractal, balanced beams", "#E69F00", (0, (4, 1)), "P"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
@@ -61,7 +62,8 @@ DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#E69F00", "-"), 2: ("#0072B2", "--"), 3: ("#CC79A7", ":")}
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"),
                ("fractal_longer", "non_fractal_longer"))
-AT_THE_SCALES_OF_RANDOM_ROBOTS = ("fractal", "fractal_longer")
+# Random robots at the scales of an arm, and with its physics and its rules
+RANDOM = {"fractal": "random", "fractal_longer": "random", "balanced": "random_balanced", "balanced_longer": "random_balanced"}
 DURATION_S = 5.0
 PAPER_CHAMPIONS = 10  # of which there are as many of both dimensions
 PAPER_OF_A_DIMENSION = 5
@@ -110,9 +112,9 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
-def random_speeds():
+def random_speeds(group):
     """Of random robots at two scales: the slower speed of each body, ascending, body lengths a minute."""
-    drawn = with_more([row for row in robots() if row["group"] == "random"], AT_TWO_SCALES)
+    drawn = random_robots(group)
     speeds = fitness(drawn) * PER_MINUTE if drawn else np.empty(0)
     return np.sort(speeds[np.isfinite(speeds)])
 
@@ -123,8 +125,8 @@ def random_best(arm, trials):
     names = ("asked", "random_robots", "random_best", "beats_random", "beats_random_low", "beats_random_high", "beats_random_outcome")
     population = read_toml(HERE.parent / "presets" / "paper.toml")["population"]
     asked = population["survivors"] + (population["mutants"] + population["newcomers"]) * (len(trials[0].best) - 1)
-    speeds = random_speeds()
-    if arm not in AT_THE_SCALES_OF_RANDOM_ROBOTS or len(speeds) < asked:
+    speeds = random_speeds(RANDOM[arm]) if arm in RANDOM else []
+    if len(speeds) < asked:
         return dict.fromkeys(names)
     best = float(np.quantile(speeds, 0.5 ** (1.0 / asked), method="inverted_cdf"))
     found = bootstrap(lambda ends, drawn: np.mean([np.mean(drawn <= end) ** asked for end in ends]), [trial.best[-1] for trial in trials], speeds)

@@ -4,7 +4,11 @@ part random_balanced "20 min of two cores" "the same with beams whose moments ba
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
 done
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+  part_on_request "one_scale_balanced_$seed" "6 min" "the same with beams whose moments balance their forces"
+done
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
+part_on_request two_scales_balanced "8 min" "the same of those with beams whose moments balance their forces"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
 part_on_request similar "30 min of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
 part_on_request balanced "2 min" "all champions with such beams, and with half the time step"
@@ -31,22 +35,23 @@ walks_of_champion() {
 }
 
 # shellcheck disable=SC2154  # $generations is that of run_experiment.sh
-one_scale() {
-  menger evolve "$study/one_scale.toml" --seed "$1" --output "$results/one_scale_$1.sqlite" "${generations[@]}"
-  walks_of_champion one_scale "$1" "$results/one_scale_$1.sqlite"
-  mkdir -p "$study/one_scale"
-  table "$results/one_scale_$1/generations.csv" "$study/one_scale/$1.csv"
+search_at_one_scale() {
+  menger evolve "$study/$1.toml" --seed "$2" --output "$results/$1_$2.sqlite" "${generations[@]}"
+  walks_of_champion "$1" "$2" "$results/$1_$2.sqlite"
+  mkdir -p "$study/$1"
+  table "$results/$1_$2/generations.csv" "$study/$1/$2.csv"
 }
 
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  eval "one_scale_$seed() { one_scale $seed; }"
+  eval "one_scale_$seed() { search_at_one_scale one_scale $seed; }"
+  eval "one_scale_balanced_$seed() { search_at_one_scale one_scale_balanced $seed; }"
 done
 
 # The champions of the archives of the experiment fractal that there are: group, what comes before a seed, what comes after it, the part
 # that makes them.
 champions_of() {
   local archive seed found=
-  for archive in "$2"*"$3"; do
+  for archive in "$2"[0-9]*"$3"; do
     [ -e "$archive" ] || continue
     found=yes
     seed=${archive#"$2"}
@@ -56,6 +61,7 @@ champions_of() {
 }
 
 two_scales() { champions_of two_scales build/paper/fractal/two_scales_ .sqlite two_scales_1; }
+two_scales_balanced() { champions_of two_scales_balanced build/paper/fractal/two_scales_balanced_ .sqlite balanced_1; }
 three_scales() { champions_of three_scales build/paper/fractal/three_scales_ /trial.sqlite three_scales_40; }
 
 # The scenes of champions with something changed, simulated, and the table of them.

@@ -17,6 +17,7 @@ two smallest levels, as selection at two scales sees them. Exit codes: 0 done, 2
 
 import pathlib
 import sys
+from string import ascii_lowercase
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -33,15 +34,18 @@ LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
 PER_MINUTE = 60.0 / 5.0
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
-GROUPS = {"random": "random robots", "random_balanced": "random robots with balanced beams", "one_scale": "evolved at one scale",
-          "two_scales": "evolved at two scales", "three_scales": "evolved at three scales"}
+GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales", "three_scales": "evolved at three scales",
+          "random_balanced": "random robots with balanced beams", "one_scale_balanced": "evolved at one scale, balanced beams",
+          "two_scales_balanced": "evolved at two scales, balanced beams"}
 EVOLVED = ("one_scale", "two_scales", "three_scales")  # by the number of scales that selection sees
+EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
 LARGEST_P = 0.05  # of Fisher's test, for an outcome
 FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
-# Random robots at two scales, from another experiment
-AT_TWO_SCALES = HERE.parent / "discrepancies" / "walks" / "text.csv"
-BALANCED_AT_TWO_SCALES = AT_TWO_SCALES.with_name("balanced.csv")
+# Random robots, and those that are evolved in the same physics
+FAMILIES = {"random": EVOLVED, "random_balanced": EVOLVED_BALANCED}
+# More random robots at two scales, from another experiment
+AT_TWO_SCALES = {"random": HERE.parent / "discrepancies" / "walks" / "text.csv", "random_balanced": HERE.parent / "discrepancies" / "walks" / "balanced.csv"}
 
 
 def robots():
@@ -85,8 +89,8 @@ def add_random(source, group):
 
 
 def add_champion(folder, group, seed):
-    if group not in EVOLVED:
-        raise InputError(f"{group}: must be one of {', '.join(EVOLVED)}")
+    if group not in (names := EVOLVED + EVOLVED_BALANCED):
+        raise InputError(f"{group}: must be one of {', '.join(names)}")
     ends_m = {}
     for level in LEVELS:
         result = read_toml(folder / f"level_{level}" / "result.toml")
@@ -114,7 +118,7 @@ def that_move(rows, lower, upper):
 
 def moving(rows, lower, upper):
     """Their ends at two levels."""
-    there = that_move(rows, lower, upper)
+    there = that_move(rows, lower, upper) if rows else []
     return (ends(there, lower), ends(there, upper)) if there else (np.empty((0, 2)), np.empty((0, 2)))
 
 
@@ -162,19 +166,21 @@ def dimension(row):
     return float(np.log(cells_of(row["phenotype"])) / np.log(3.0))
 
 
-def with_more(rows, file):
-    """Random robots, and those of another experiment that are not among them."""
+def random_robots(group):
+    """The random robots of this experiment, and those at two scales of another one that are not among them."""
+    rows = [row for row in robots() if row["group"] == group]
     seen = {row["phenotype"] for row in rows}
+    file = AT_TWO_SCALES[group]
     return rows + [row for row in (read_table(file) if file.exists() else []) if row["phenotype"] not in seen]
 
 
 def groups():
-    """The robots of each group; random ones at two scales are those of another experiment, and more of them. A random robot that is the
-    champion of a search, too, counts as its champion alone: groups that are compared share no robot."""
+    """The robots of each group. A random robot that is the champion of a search, too, counts as its champion alone: groups that are
+    compared share no robot."""
     every = {group: [row for row in robots() if row["group"] == group] for group in GROUPS}
-    champions = {row["phenotype"] for group in EVOLVED for row in every[group]}
-    for group, file in (("random", AT_TWO_SCALES), ("random_balanced", BALANCED_AT_TWO_SCALES)):
-        every[group] = [row for row in with_more(every[group], file) if row["phenotype"] not in champions]
+    for group, evolved in FAMILIES.items():
+        champions = {row["phenotype"] for name in evolved for row in every[name]}
+        every[group] = [row for row in random_robots(group) if row["phenotype"] not in champions]
     return {group: rows for group, rows in every.items() if rows}
 
 
@@ -183,8 +189,8 @@ def with_fastest(every):
     made = {}
     for group, rows in every.items():
         made[group] = (GROUPS[group], rows)
-        if group == "random":
-            made |= {f"random_{count}": (f"the fastest {count} of these", chosen) for count in FASTEST if (chosen := fastest(rows, count))}
+        if group in FAMILIES:
+            made |= {f"{group}_{count}": (f"the fastest {count} of these", chosen) for count in FASTEST if (chosen := fastest(rows, count))}
     return made
 
 
@@ -229,16 +235,20 @@ def statistics_of(group, label, rows, lower, upper):
 
 
 def comparisons(every):
-    """Evolved robots against random ones and against those that were selected at fewer scales: Fisher's exact tests, differences of shares,
-    and how many of the others reach the fitness of the slowest. An outcome is open unless test and interval agree."""
+    """Evolved robots against random ones of the same physics, and against those that were selected at fewer scales: Fisher's exact tests,
+    differences of shares, and how many of the others reach the fitness of the slowest. An outcome is open unless test and interval agree."""
+    return [row for group, evolved in FAMILIES.items()
+            for row in comparisons_within(with_fastest({name: every[name] for name in (group, *evolved) if name in every}), evolved)]
+
+
+def comparisons_within(sets, evolved):
     rows = []
-    sets = with_fastest({group: rows for group, rows in every.items() if group != "random_balanced"})
-    for place, group in enumerate(EVOLVED):
+    for place, group in enumerate(evolved):
         if group not in sets:
             continue
         speeds = fitness(sets[group][1])
         slowest = float(np.nanmin(speeds)) if np.isfinite(speeds).any() else np.inf
-        for other in [name for name in sets if name.startswith("random") or name in EVOLVED[:place]]:
+        for other in [name for name in sets if name not in evolved[place:]]:
             for lower in LEVELS[:-1]:
                 samples = [moving(sets[name][1], lower, lower + 1) for name in (group, other)]
                 if not all(len(lower_m) for lower_m, _ in samples):
@@ -303,21 +313,21 @@ def summary():
     draw(every, rows, dimensions)
 
 
-def draw_robots(panel, every):
-    """Angle and factor of every robot from 3 to 9 cells."""
-    styles = {"random": ("#888888", ".", 9), "one_scale": ("#E69F00", "s", 22), "two_scales": ("#0072B2", "o", 26), "three_scales": ("#D55E00", "D", 26)}
+STYLES = (("#888888", ".", 9), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
+
+
+def draw_robots(panel, every, family):
+    """Angle and factor of every robot of a family from 3 to 9 cells."""
     reach = 1.0
-    for group, members in every.items():
-        if group not in styles:  # hundreds of points more would hide the others
-            continue
-        lower_m, upper_m = moving(members, 1, 2)
+    for group, (colour, mark, size) in zip((family, *FAMILIES[family]), STYLES):
+        lower_m, upper_m = moving(every.get(group, []), 1, 2)
         if not len(lower_m):
             continue
         angle, factor = angle_and_factor(lower_m, upper_m)
         factor = np.maximum(factor, 1e-6)
         reach = max(reach, factor.max(), 1.0 / factor.min())
-        colour, mark, size = styles[group]
-        panel.scatter(angle, factor, c=colour, marker=mark, s=size, label=f"{GROUPS[group]} (n = {len(angle)})", zorder=2 if group == "random" else 3,
+        label = GROUPS[group].removesuffix(" with balanced beams").removesuffix(", balanced beams")
+        panel.scatter(angle, factor, c=colour, marker=mark, s=size, label=f"{label} (n = {len(angle)})", zorder=2 if group == family else 3,
                       edgecolors="none" if group == "random" else "white", linewidths=0.5, clip_on=False)
     low, high = 1.0 / LARGEST_FACTOR, LARGEST_FACTOR
     panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1)
@@ -348,16 +358,20 @@ def draw(every, rows, dimensions):
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
     dimensions = [row for row in dimensions if int(row["robots"]) >= FEWEST_DRAWN]
-    heights = (2.9, 0.9 + 0.36 * len(rows), 0.9 + 0.36 * len(dimensions))
-    figure, axes = pyplot.subplots(3, 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights)
-    draw_robots(axes[0], every)
-    draw_shares(axes[1], rows, [f"{row['label']},\n{row['cells']} cells (n = {row['robots']})" for row in rows], range(len(rows)))
-    axes[1].legend(loc="upper center", bbox_to_anchor=(0.3, -0.2), ncols=4)
+    families = [family for family in FAMILIES if family in every]
+    heights = (*[2.9] * len(families), 0.9 + 0.36 * len(rows), 0.9 + 0.36 * len(dimensions))
+    figure, axes = pyplot.subplots(len(heights), 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights)
+    for panel, family in zip(axes, families):
+        draw_robots(panel, every, family)
+    draw_shares(axes[-2], rows, [f"{row['label']},\n{row['cells']} cells (n = {row['robots']})" for row in rows], range(len(rows)))
+    axes[-2].legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / heights[-2]), ncols=4)
     names = [f"H from {row['dimension_from']} to {row['dimension_to']},\n{row['cells']} cells (n = {row['robots']})" for row in dimensions]
     if dimensions:
-        draw_shares(axes[2], dimensions, names, range(len(dimensions)))
-        axes[2].legend(loc="upper center", bbox_to_anchor=(0.3, -0.2), ncols=4)
-    for panel, letter, title in zip(axes, "abc", ("robots from 3 to 9 cells per side", "how many do the same at the next scale", "random robots by their Hausdorff dimension H")):
+        draw_shares(axes[-1], dimensions, names, range(len(dimensions)))
+        axes[-1].legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / heights[-1]), ncols=4)
+    about = {"random": "robots from 3 to 9 cells per side", "random_balanced": "the same with balanced beams"}
+    titles = [*(about[family] for family in families), "how many do the same at the next scale", "random robots by their Hausdorff dimension H"]
+    for panel, letter, title in zip(axes, ascii_lowercase, titles):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)
@@ -367,7 +381,7 @@ def draw(every, rows, dimensions):
 
 def main(arguments):
     match arguments:
-        case [("random" | "random_balanced") as group, source]:
+        case [group, source] if group in FAMILIES:
             add_random(pathlib.Path(source), group)
         case ["champion", folder, group, seed]:
             add_champion(pathlib.Path(folder), group, seed)

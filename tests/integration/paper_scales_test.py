@@ -438,6 +438,18 @@ class ScaleInvariance(Case):
         counts = {row["group"]: row["robots"] for row in table_of(self.tree / "paper/scale_invariance/statistics.csv")}
         self.assertEqual(counts, {"random": "3", "two_scales": "1"})
 
+    def test_robots_are_compared_with_those_of_the_same_physics(self):
+        walks = [0.03, 0.0, 0.09, 0.0, "", ""]
+        random = [[group, n, body(n), *walks] for group in ("random", "random_balanced") for n in range(4)]
+        self.champions(random + [["one_scale", 1, body(2), *walks], ["one_scale_balanced", 1, body(3), *walks], ["two_scales_balanced", 1, body(1), *walks]])
+        self.done(self.script, "summary")
+        folder = self.tree / "paper/scale_invariance"
+        counts = {row["group"]: row["robots"] for row in table_of(folder / "statistics.csv")}
+        self.assertEqual((counts["random"], counts["random_balanced"]), ("3", "2"), "champions of the other physics stay")
+        self.assertEqual([row["groups"] for row in table_of(folder / "comparisons.csv")], [
+            "one_scale and random", "one_scale_balanced and random_balanced", "two_scales_balanced and random_balanced", "two_scales_balanced and one_scale_balanced"])
+        xml.dom.minidom.parse(str(folder / "scale_invariance.svg"))
+
     def test_an_outcome_needs_test_and_interval(self):
         # Four of ten against none of ten: Newcombe's interval ends above 0, Fisher's p is 0.087.
         ends = {True: [0.03, 0.0, 0.09, 0.0, "", ""], False: [0.03, 0.0, 0.0, 0.09, "", ""]}
@@ -659,12 +671,17 @@ class Trials(Case):
         # A trial of two generations asks for 15 + 2 x 16 = 47 robots. Of 100 random ones with 1 to 100 mm at 9 cells, slower there than at 3,
         # the best of 47 is at most the 98th with probability 0.98^47 = 0.387, at most the 99th with 0.624: the median is 99 mm.
         rows = [["random", 1, n, 3, body(n), 0.09, 0.0, 0.001 * (n + 1), 0.0, "", ""] for n in range(100)]
+        rows += [["random_balanced", 1, n, 3, body(n), 0.09, 0.0, 0.0005 * (n + 1), 0.0, "", ""] for n in range(100)]
         write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"]
               + [f"level_{level}_d{axis}_m" for level in (1, 2, 3) for axis in "xy"], rows)
         for seed in range(1, 11):
             self.trial("fractal/two_scales", seed, 98.5 / 90 if seed == 1 else 3.0)
+        self.trial("fractal/two_scales_balanced", 1, 1.0)
+        self.trial("fractal/two_scales_in_pieces", 1, 1.0)
         self.done(self.script)
-        (row,) = table_of(self.tree / "paper/fractal/statistics.csv")
+        row, in_pieces, balanced = table_of(self.tree / "paper/fractal/statistics.csv")
+        self.assertEqual(in_pieces["random_best"], "", "no random robot may fall apart")
+        self.assertAlmostEqual(float(balanced["random_best"]), 12 * 0.0495 / 0.09, delta=1e-2)
         self.assertEqual([row[name] for name in ("asked", "random_robots", "beats_random_outcome")], ["47", "100", "reproduced"])
         self.assertAlmostEqual(float(row["random_best"]), 12 * 0.099 / 0.09, delta=1e-2)
         self.assertAlmostEqual(float(row["beats_random"]), 0.9 + 0.1 * 0.98**47, delta=1e-3)

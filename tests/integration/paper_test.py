@@ -277,6 +277,17 @@ class Experiments(PaperTest):
             self.assertIn(f"GENERATIONS={wrong}: must be a whole number", outcome.stderr)
 
 
+    def test_champions_are_those_of_one_kind_of_search(self):
+        self.put("paper/walked/experiment.sh", (SOURCES / "paper/scale_invariance/experiment.sh").read_text())
+        self.put("paper/walked/scale_invariance.py", '#!/bin/sh\necho "$*" >>calls\n', executable=True)
+        for archive in ("two_scales_1.sqlite", "two_scales_10.sqlite", "two_scales_balanced_2.sqlite", "two_scales_in_pieces_3.sqlite", "three_scales_4/trial.sqlite"):
+            self.put(f"build/paper/fractal/{archive}", "")
+        for part, seeds in (("two_scales", (1, 10)), ("two_scales_balanced", (2,)), ("three_scales", (4,))):
+            outcome = self.experiment("walked", part)
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.assertEqual(self.text("calls").splitlines(), [f"champion build/paper/walked/{part}_{seed} {part} {seed}" for seed in seeds])
+            (self.tree / "calls").unlink()
+
     def test_walks_that_are_there_are_not_made_anew(self):
         self.put("paper/walked/experiment.sh", (SOURCES / "paper/discrepancies/experiment.sh").read_text())
         self.put("paper/walked/discrepancies.py", '#!/bin/sh\necho "$*" >>calls\n', executable=True)
