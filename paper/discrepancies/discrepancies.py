@@ -6,6 +6,8 @@ discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what 
 discrepancies.py summary                        makes the tables and discrepancies.svg of the variants that there are:
                                                 statistics.csv   their fitness against that of the text
                                                 changes.csv      where robots end, by scale
+                                                balanced_changes.csv  the same of variants with balanced moments of beams, against
+                                                                      the variant that has nothing else changed
                                                 failures.csv     which walks failed
                                                 conclusions.csv  what the paper concludes, by variant
                                                 verdicts.csv     which of these conclusions a variant turns
@@ -327,12 +329,22 @@ def kind_of(name):
     return KINDS.get(variant(name).get("kind"), "")
 
 
+def change_rows(against, walks, about):
+    """How far ends are from those of another variant, level by level."""
+    return [{"variant": walks.name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(against, walks, level) for level in walks.levels]
+
+
+def is_balanced(name):
+    return variant(name).get("keys", {}).get("materials", {}).get("beam_moments") == "balanced"
+
+
 def summary():
     there = [name for name, one in variants().items() if (HERE / "walks" / f"{one.get('walks_of', name)}.csv").exists()]
     if "text" not in there:
         raise InputError(f"{HERE / 'walks' / 'text.csv'}: is not there: ./run paper discrepancies text")
     text = Walks("text")
-    compared, changed, failed, concluded = [], [], [], []
+    balanced = Walks("balanced") if "balanced" in there else None
+    compared, changed, balanced_changed, failed, concluded = [], [], [], [], []
     for name in there:
         walks = Walks(name)
         if (walks.bodies, walks.levels) != (text.bodies, text.levels):
@@ -350,9 +362,10 @@ def summary():
             if (other := variant(name).get("failures_of")) in there:
                 compared[-1]["failed_in_common"] = int(np.sum(~walks.ended() & ~Walks(other).ended()))
             if own:
-                changed += [{"variant": name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(text, walks, level)
-                            for level in walks.levels]
-    for file, rows in (("statistics.csv", compared), ("changes.csv", changed), ("failures.csv", failed), ("conclusions.csv", concluded),
+                changed += change_rows(text, walks, about)
+            if balanced and name != "balanced" and is_balanced(name):
+                balanced_changed += change_rows(balanced, walks, about)
+    for file, rows in (("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed), ("failures.csv", failed), ("conclusions.csv", concluded),
                        ("verdicts.csv", verdicts(concluded))):
         write_rows(file, rows)
     if compared:

@@ -6,7 +6,9 @@ part released_walks "4 min" "the released code does otherwise: 2 s, its score an
 part no_drag "10 min" "the text does not mention it: no global damping"
 part free_rotation "10 min" "the text does not mention it: standing voxels may turn"
 part balanced "10 min" "beams whose moments balance their forces, which in text and code they do not"
-part balanced_no_drag "10 min" "the same without global damping"
+part balanced_no_drag "10 min" "balanced, without global damping"
+part balanced_half_step "20 min" "balanced, with half the time step"
+part balanced_free_rotation "10 min" "balanced, and standing voxels may turn"
 part half_step "20 min" "sensitivity: half the time step"
 part no_collisions "8 min" "sensitivity: bodies that go through themselves"
 part_on_request double "20 min" "sensitivity: double precision"
@@ -16,6 +18,7 @@ part summary "1 min" "the tables and the picture of all variants that there are"
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 summary() { "$study/discrepancies.py" summary; }
 
+# shellcheck disable=SC2154  # $results is that of run_experiment.sh
 # The walks of a variant, if they are not there already: a clone has those of most. To make them anew, remove walks/NAME.csv.
 walks() {
   if [ -e "$study/walks/$1.csv" ]; then
@@ -28,6 +31,6 @@ walks() {
   "$study/discrepancies.py" take "$results/$1/individuals.csv" "$1"
 }
 
-for variant in text duration phases released_walks no_drag free_rotation balanced balanced_no_drag half_step no_collisions double no_drag_half_step; do
+for variant in text duration phases released_walks no_drag free_rotation balanced balanced_no_drag balanced_half_step balanced_free_rotation half_step no_collisions double no_drag_half_step; do
   eval "$variant() { walks $variant; }"
 done

@@ -247,6 +247,17 @@ class Discrepancies(Case):
         self.assertEqual(self.rows_of("conclusions.csv", "variant", "levels")["half_step", "1 to 2"]["larger_is_slower_verdict"], "no")
         self.assertEqual(self.rows_of("verdicts.csv", "conclusion", "levels")["larger_is_slower", "1 to 2"]["sentence"], "no in all 3 variants")
 
+    def test_balanced_variants_are_compared_with_each_other_too(self):
+        # At 3 cells half the step takes robots twice as far as the text says, and by a tenth further with balanced moments in both.
+        for name, times in (("text", 1.0), ("balanced", 4.0), ("balanced_half_step", 4.4), ("half_step", 2.0)):
+            self.done(self.script, "take", self.individuals(lambda n, times=times: (times * 1e-2 * (n + 1), 0.0, 1.0, 0.0)), name)
+        self.done(self.script, "summary")
+        against_text = self.rows_of("changes.csv", "variant", "level")
+        self.assertEqual([against_text[name, "1"]["end_median"] for name in ("balanced", "balanced_half_step", "half_step")], ["3", "3.4", "1"])
+        (small, large) = table_of(self.folder() / "balanced_changes.csv")
+        self.assertEqual([small[name] for name in ("variant", "cells_per_side", "end_median", "factor_median")], ["balanced_half_step", "3", "0.1", "1.1"])
+        self.assertEqual((large["cells_per_side"], large["end_median"]), ("9", "0"))
+
     def test_finds_what_fitness_goes_with(self):
         script = module_of("paper/discrepancies/discrepancies.py")
 
