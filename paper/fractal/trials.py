@@ -220,9 +220,9 @@ def draw_ends(panel, arms):
 
 def draw_scales(panel, trials):
     for level in trials[0].speeds:
-        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells per side")
+        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")
     panel.set_xlabel("generation")
-    panel.legend(loc="upper center", ncols=2, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
+    panel.legend(loc="upper center", ncols=3, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
 
 
 def draw_dimensions(panel, trials):
@@ -266,7 +266,7 @@ def draw(arms):
     draw_ends(panels[1][0], arms)
     for place, arm in enumerate(by_scale):
         panel = figure.add_subplot(grid[2 + place // 2, place % 2])
-        panels.append((panel, f"scales, {DRAWN[arm].label} (n = {len(arms[arm])})"))
+        panels.append((panel, f"cells per side, {DRAWN[arm].label} (n = {len(arms[arm])})"))
         draw_scales(panel, arms[arm])
         if place % 2 == 0:
             panel.set_ylabel("speed of the best robot\n(body lengths per minute)")
