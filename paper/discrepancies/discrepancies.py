@@ -6,8 +6,8 @@ discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what 
 discrepancies.py summary                        makes the tables and discrepancies.svg of the variants that there are:
                                                 statistics.csv   their fitness against that of the text
                                                 changes.csv      where robots end, by scale
-                                                balanced_changes.csv  the same of variants with balanced moments of beams, against
-                                                                      the variant that has nothing else changed
+                                                balanced_changes.csv  what a change does with balanced moments of beams, and what
+                                                                      it does to the same robots with those of the simulator
                                                 failures.csv     which walks failed
                                                 conclusions.csv  what the paper concludes, by variant
                                                 verdicts.csv     which of these conclusions a variant turns
@@ -25,7 +25,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, mcnemar, median, rank_correlation, share, spearman, verdict  # noqa: E402
+from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, mcnemar, median, rank_correlation, share, signed_rank, spearman, verdict  # noqa: E402
 from scale_invariance import angle_and_factor, by_chance, carries_over, same_way  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
@@ -174,10 +174,10 @@ def agreement(fitness, changed):
     return row
 
 
-def comparison(text, other):
-    """The fitness of a variant against that of the text: of all robots, and of those that ended all walks of both."""
-    fitness, changed = text.fitness(), other.fitness()
-    ended = text.ended() & other.ended()
+def comparison(before, other):
+    """The fitness of a variant against that before the change: of all robots, and of those that ended all walks of both."""
+    fitness, changed = before.fitness(), other.fitness()
+    ended = before.ended() & other.ended()
     everyone = agreement(fitness, changed)
     of_ended = everyone if ended.all() else agreement(fitness[ended], changed[ended])
     top = len(fitness) // 10
@@ -186,22 +186,27 @@ def comparison(text, other):
         "best_tenth_in_common": in_common}
 
 
+def how_far_ends_move(before, after, level, robots):
+    """The distance between two ends of a walk over the distance walked before the change."""
+    return np.hypot(*(after.ends_m[level] - before.ends_m[level])[robots].T) / before.distances_m(level)[robots]
+
+
 def ninth_decile(sample, axis=-1):
     return np.quantile(sample, 0.9, axis=axis)
 
 
-def change(text, other, level):
-    """How far the ends of a variant are from those of the text, over the distance there: of robots that move there and end both walks."""
-    both = text.ended_at(level) & other.ended_at(level)
-    moving = both & text.moves(level)
+def change(before, other, level):
+    """How far the ends of a variant are from those before the change, over the distance there: of robots that move there and end both walks."""
+    both = before.ended_at(level) & other.ended_at(level)
+    moving = both & before.moves(level)
     longest_m = np.nanmax(other.distances_m(level)) if other.ended_at(level).any() else None
     row = {"failed": int(np.sum(~other.ended_at(level))), "ended": int(both.sum()),
            "fastest_m_per_s": longest_m / other.duration_s if longest_m is not None else None, "moving": int(moving.sum())}
     if both.sum() > 1:
-        row["distance_spearman"] = known(rank_correlation(text.distances_m(level)[both], other.distances_m(level)[both]))
+        row["distance_spearman"] = known(rank_correlation(before.distances_m(level)[both], other.distances_m(level)[both]))
     if moving.any():
-        before_m = text.distances_m(level)[moving]
-        end = np.hypot(*(other.ends_m[level] - text.ends_m[level])[moving].T) / before_m
+        before_m = before.distances_m(level)[moving]
+        end = how_far_ends_move(before, other, level, moving)
         factor = other.distances_m(level)[moving] / before_m
         for name, sample in (("end", end), ("distance", np.abs(factor - 1.0)), ("factor", factor)):
             row |= interval(f"{name}_median", median(sample)) | interval(f"{name}_ninth_decile", bootstrap(ninth_decile, sample))
@@ -329,13 +334,35 @@ def kind_of(name):
     return KINDS.get(variant(name).get("kind"), "")
 
 
-def change_rows(against, walks, about):
-    """How far ends are from those of another variant, level by level."""
-    return [{"variant": walks.name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(against, walks, level) for level in walks.levels]
+def with_both_beams(pairs, level):
+    """What the same change does with the beams of the simulator and with balanced ones: how far ends move, of robots that move before the
+    change and end all walks with both.
+
+    @param pairs the walks before and after the change, with the beams of the simulator and with balanced ones"""
+    robots = np.all([walks.ended_at(level) for pair in pairs for walks in pair] + [before.moves(level) for before, _ in pairs], axis=0)
+    row = {"moving": int(robots.sum())}
+    if robots.any():
+        moved = [how_far_ends_move(before, after, level, robots) for before, after in pairs]
+        for name, sample in zip(("published_end_median", "balanced_end_median"), moved):
+            row |= interval(name, median(sample))
+        row["p"] = signed_rank(*moved)
+    for name, (before, after) in zip(("published", "balanced"), pairs):
+        ended = before.ended_at(level) & after.ended_at(level)
+        row[f"{name}_spearman"] = known(rank_correlation(before.distances_m(level)[ended], after.distances_m(level)[ended])) if ended.sum() > 1 else None
+    return row
 
 
-def is_balanced(name):
-    return variant(name).get("keys", {}).get("materials", {}).get("beam_moments") == "balanced"
+def of_balanced(name, text, there):
+    """The rows of a variant that makes the change of another one to balanced beams."""
+    other = variant(name).get("balanced_of")
+    if not other or not {other, "balanced"} <= set(there):
+        return []
+    balanced, walks = Walks("balanced"), Walks(name)
+    compared = comparison(balanced, walks)
+    return [{"variant": name, "level": level, "cells_per_side": cells_per_side(level), "label": variant(other)["label"]}
+            | with_both_beams(((text, Walks(other)), (balanced, walks)), level)
+            | {key: value for key, value in compared.items() if key.startswith(("fitness_spearman", "another_best_of_ten"))}
+            for level in walks.levels]
 
 
 def summary():
@@ -343,7 +370,6 @@ def summary():
     if "text" not in there:
         raise InputError(f"{HERE / 'walks' / 'text.csv'}: is not there: ./run paper discrepancies text")
     text = Walks("text")
-    balanced = Walks("balanced") if "balanced" in there else None
     compared, changed, balanced_changed, failed, concluded = [], [], [], [], []
     for name in there:
         walks = Walks(name)
@@ -362,9 +388,9 @@ def summary():
             if (other := variant(name).get("failures_of")) in there:
                 compared[-1]["failed_in_common"] = int(np.sum(~walks.ended() & ~Walks(other).ended()))
             if own:
-                changed += change_rows(text, walks, about)
-            if balanced and name != "balanced" and is_balanced(name):
-                balanced_changed += change_rows(balanced, walks, about)
+                changed += [{"variant": name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(text, walks, level)
+                            for level in walks.levels]
+            balanced_changed += of_balanced(name, text, there)
     for file, rows in (("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed), ("failures.csv", failed), ("conclusions.csv", concluded),
                        ("verdicts.csv", verdicts(concluded))):
         write_rows(file, rows)

@@ -15,11 +15,11 @@ part_on_request double "20 min" "sensitivity: double precision"
 part_on_request no_drag_half_step "20 min" "sensitivity: no global damping, half the time step"
 part summary "1 min" "the tables and the picture of all variants that there are"
 
-# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+# shellcheck disable=SC2154  # $study is that of run_experiment.sh
 summary() { "$study/discrepancies.py" summary; }
 
-# shellcheck disable=SC2154  # $results is that of run_experiment.sh
 # The walks of a variant, if they are not there already: a clone has those of most. To make them anew, remove walks/NAME.csv.
+# shellcheck disable=SC2154  # $results is that of run_experiment.sh
 walks() {
   if [ -e "$study/walks/$1.csv" ]; then
     say "discrepancies: $study/walks/$1.csv is there; remove it to make it anew"

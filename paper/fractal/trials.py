@@ -45,7 +45,7 @@ class Arm:
     falls_apart: bool = False
 
     def longer(self):
-        dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
+        dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1)), (0, (4, 1)): (0, (4, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
         return replace(self, label=f"{self.label}, longer", dashes=dashes, mark={"o": "x", "s": "+"}.get(self.mark, "*"))
 
 
@@ -62,8 +62,8 @@ DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#E69F00", "-"), 2: ("#0072B2", "--"), 3: ("#CC79A7", ":")}
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"),
                ("fractal_longer", "non_fractal_longer"))
-# Random robots at the scales of an arm, and with its physics and its rules
-RANDOM = {"fractal": "random", "fractal_longer": "random", "balanced": "random_balanced", "balanced_longer": "random_balanced"}
+# Which random robots have the scales, the physics and the rules of an arm
+RANDOM_ROBOTS_LIKE = {"fractal": "random", "fractal_longer": "random", "balanced": "random_balanced", "balanced_longer": "random_balanced"}
 DURATION_S = 5.0
 PAPER_CHAMPIONS = 10  # of which there are as many of both dimensions
 PAPER_OF_A_DIMENSION = 5
@@ -125,7 +125,7 @@ def random_best(arm, trials):
     names = ("asked", "random_robots", "random_best", "beats_random", "beats_random_low", "beats_random_high", "beats_random_outcome")
     population = read_toml(HERE.parent / "presets" / "paper.toml")["population"]
     asked = population["survivors"] + (population["mutants"] + population["newcomers"]) * (len(trials[0].best) - 1)
-    speeds = random_speeds(RANDOM[arm]) if arm in RANDOM else []
+    speeds = random_speeds(RANDOM_ROBOTS_LIKE[arm]) if arm in RANDOM_ROBOTS_LIKE else []
     if len(speeds) < asked:
         return dict.fromkeys(names)
     best = float(np.quantile(speeds, 0.5 ** (1.0 / asked), method="inverted_cdf"))
@@ -150,6 +150,15 @@ def dimensions_of(arm, trials):
     return {key: value for name, count, p in zip(names, counts, both) for key, value in dimension_share(name, count, len(ends), p).items()}
 
 
+def rank_sum_p(first, second):
+    return rank_sum(first, second).p
+
+
+def tested(test, first, second):
+    """A p, or nothing of one trial: whatever it did, p would be 1."""
+    return test(first, second) if len(first) > 1 else None
+
+
 def statistics(arms):
     """Of the scales the largest is compared with the one before it."""
     rows = []
@@ -163,11 +172,11 @@ def statistics(arms):
                      "first": first.value, "first_low": first.low, "first_high": first.high,
                      "last": last.value, "last_low": last.low, "last_high": last.high,
                      "gain": gain.value, "gain_low": gain.low, "gain_high": gain.high, "gain_outcome": OUTCOMES[verdict(gain, 0.0)],
-                     "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts).p,
+                     "p_first_last": tested(signed_rank, lasts, firsts), "p_first_last_rank_sum": tested(rank_sum_p, lasts, firsts),
                      "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}",
                      "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
                      "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)],
-                     "p_scales": signed_rank(smaller, larger), "p_scales_rank_sum": rank_sum(smaller, larger).p} | random_best(arm, trials)
+                     "p_scales": tested(signed_rank, smaller, larger), "p_scales_rank_sum": tested(rank_sum_p, smaller, larger)} | random_best(arm, trials)
                     | dimensions_of(arm, trials))
     return rows
 
@@ -220,7 +229,7 @@ def draw_ends(panel, arms):
 
 def draw_scales(panel, trials):
     for level in trials[0].speeds:
-        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")
+        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")  # per side
     panel.set_xlabel("generation")
     panel.legend(loc="upper center", ncols=3, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
 
@@ -266,7 +275,7 @@ def draw(arms):
     draw_ends(panels[1][0], arms)
     for place, arm in enumerate(by_scale):
         panel = figure.add_subplot(grid[2 + place // 2, place % 2])
-        panels.append((panel, f"cells per side, {DRAWN[arm].label} (n = {len(arms[arm])})"))
+        panels.append((panel, f"speed by scale, {DRAWN[arm].label} (n = {len(arms[arm])})"))
         draw_scales(panel, arms[arm])
         if place % 2 == 0:
             panel.set_ylabel("speed of the best robot\n(body lengths per minute)")

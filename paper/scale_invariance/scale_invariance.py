@@ -34,9 +34,10 @@ LARGEST_ANGLE_DEG = 45.0
 LARGEST_FACTOR = 2.0
 PER_MINUTE = 60.0 / 5.0
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
+BALANCED = "with balanced beams"
 GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales", "three_scales": "evolved at three scales",
-          "random_balanced": "random robots with balanced beams", "one_scale_balanced": "evolved at one scale, balanced beams",
-          "two_scales_balanced": "evolved at two scales, balanced beams"}
+          "random_balanced": f"random robots {BALANCED}", "one_scale_balanced": f"evolved at one scale {BALANCED}",
+          "two_scales_balanced": f"evolved at two scales {BALANCED}"}
 EVOLVED = ("one_scale", "two_scales", "three_scales")  # by the number of scales that selection sees
 EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
 LARGEST_P = 0.05  # of Fisher's test, for an outcome
@@ -326,9 +327,9 @@ def draw_robots(panel, every, family):
         angle, factor = angle_and_factor(lower_m, upper_m)
         factor = np.maximum(factor, 1e-6)
         reach = max(reach, factor.max(), 1.0 / factor.min())
-        label = GROUPS[group].removesuffix(" with balanced beams").removesuffix(", balanced beams")
+        label = GROUPS[group].removesuffix(f" {BALANCED}")  # which the title of the panel says
         panel.scatter(angle, factor, c=colour, marker=mark, s=size, label=f"{label} (n = {len(angle)})", zorder=2 if group == family else 3,
-                      edgecolors="none" if group == "random" else "white", linewidths=0.5, clip_on=False)
+                      edgecolors="none" if group == family else "white", linewidths=0.5, clip_on=False)
     low, high = 1.0 / LARGEST_FACTOR, LARGEST_FACTOR
     panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1)
     panel.annotate("carries over", (LARGEST_ANGLE_DEG - 1, high * 1.1), ha="right", va="bottom")
@@ -369,7 +370,7 @@ def draw(every, rows, dimensions):
     if dimensions:
         draw_shares(axes[-1], dimensions, names, range(len(dimensions)))
         axes[-1].legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / heights[-1]), ncols=4)
-    about = {"random": "robots from 3 to 9 cells per side", "random_balanced": "the same with balanced beams"}
+    about = {"random": "robots from 3 to 9 cells per side", "random_balanced": f"the same {BALANCED}"}
     titles = [*(about[family] for family in families), "how many do the same at the next scale", "random robots by their Hausdorff dimension H"]
     for panel, letter, title in zip(axes, ascii_lowercase, titles):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")

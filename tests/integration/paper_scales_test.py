@@ -247,16 +247,24 @@ class Discrepancies(Case):
         self.assertEqual(self.rows_of("conclusions.csv", "variant", "levels")["half_step", "1 to 2"]["larger_is_slower_verdict"], "no")
         self.assertEqual(self.rows_of("verdicts.csv", "conclusion", "levels")["larger_is_slower", "1 to 2"]["sentence"], "no in all 3 variants")
 
-    def test_balanced_variants_are_compared_with_each_other_too(self):
-        # At 3 cells half the step takes robots twice as far as the text says, and by a tenth further with balanced moments in both.
-        for name, times in (("text", 1.0), ("balanced", 4.0), ("balanced_half_step", 4.4), ("half_step", 2.0)):
-            self.done(self.script, "take", self.individuals(lambda n, times=times: (times * 1e-2 * (n + 1), 0.0, 1.0, 0.0)), name)
+    def test_a_change_is_compared_with_both_kinds_of_beams(self):
+        # At 3 cells half the step takes robots twice as far with the beams of the simulator, and by a tenth further with balanced ones. The
+        # first 100 stand still with the latter, the last 100 fail with both changes: 300 robots tell.
+        def ends_of(times, of_last):
+            return lambda n: (*(("", "") if of_last is None and n >= 416 else (times * 1e-2 * (n + 1), 0.0)), 1e3, 0.0)
+
+        for name, times, of_last in (("text", 1.0, 1), ("half_step", 2.0, None), ("balanced_half_step", 4.4, 1)):
+            self.done(self.script, "take", self.individuals(ends_of(times, of_last)), name)
+        self.done(self.script, "take", self.individuals(lambda n: (*((0.0, 0.0) if n < 104 else (0.04 * (n + 1), 0.0)), 1e3, 0.0)), "balanced")
         self.done(self.script, "summary")
         against_text = self.rows_of("changes.csv", "variant", "level")
-        self.assertEqual([against_text[name, "1"]["end_median"] for name in ("balanced", "balanced_half_step", "half_step")], ["3", "3.4", "1"])
-        (small, large) = table_of(self.folder() / "balanced_changes.csv")
-        self.assertEqual([small[name] for name in ("variant", "cells_per_side", "end_median", "factor_median")], ["balanced_half_step", "3", "0.1", "1.1"])
-        self.assertEqual((large["cells_per_side"], large["end_median"]), ("9", "0"))
+        self.assertEqual([against_text[name, "1"]["end_median"] for name in ("balanced_half_step", "half_step")], ["3.4", "1"])
+        small, large = table_of(self.folder() / "balanced_changes.csv")
+        self.assertEqual([small[name] for name in ("variant", "label", "cells_per_side", "moving", "published_end_median", "balanced_end_median")],
+                         ["balanced_half_step", "half the time step", "3", "300", "1", "0.1"])
+        self.assertLess(float(small["p"]), 1e-10)
+        self.assertEqual([large[name] for name in ("cells_per_side", "balanced_end_median", "p")], ["9", "0", "1"])
+        self.assertGreater(float(small["fitness_spearman"]), 0.8, "against the balanced ones")
 
     def test_finds_what_fitness_goes_with(self):
         script = module_of("paper/discrepancies/discrepancies.py")
@@ -362,9 +370,11 @@ class ScaleInvariance(Case):
         write(self.tree / "champion/lineage.csv", ["individual", "phenotype"], [[3, body(3)], [7, body(77)]])
         for _ in range(2):  # the second takes the place of the first
             self.done(self.script, "champion", self.tree / "champion", "one_scale", "4")
+        self.done(self.script, "champion", self.tree / "champion", "two_scales_balanced", "4")
+        self.assertEqual([row["group"] for row in table_of(folder / "robots.csv")][-2:], ["one_scale", "two_scales_balanced"])
         self.done(self.script, "summary")
         found = {(row["group"], row["levels"]): row for row in table_of(folder / "statistics.csv")}
-        self.assertEqual(set(found), {(group, levels) for group in ("random", "random_25") for levels in ("1 to 2", "2 to 3")} | {("one_scale", "1 to 2")})
+        self.assertEqual(set(found), {(group, levels) for group in ("random", "random_25") for levels in ("1 to 2", "2 to 3")} | {("one_scale", "1 to 2"), ("two_scales_balanced", "1 to 2")})
         chance = found["random", "1 to 2"]
         # The last one stands still at level 1, and goes on as it did from level 2.
         self.assertEqual(found["random", "2 to 3"]["robots"], "41")
@@ -643,6 +653,7 @@ class Trials(Case):
         found = {row["arm"]: row for row in table_of(folder / "statistics.csv")}
         self.assertEqual({arm: row["generations"] for arm, row in found.items()}, {"fractal": "2", "non_fractal": "3", "three_scales": "1"})
         three = found["three_scales"]
+        self.assertLess(float(three["p_first_last"]), 1.0)
         self.assertEqual((three["compared_cells"], three["larger_is_slower"], three["last"], three["dimension_2.5_to_2.7"]), ("27 and 9", "0.75", "6", "4"))
         (compared,) = table_of(folder / "comparisons.csv")
         # At generation 2, which both have: 1 and 3 body lengths.
@@ -651,6 +662,18 @@ class Trials(Case):
         self.assertEqual([champions["three_scales", "1"][f"level_{level}_per_minute"] for level in (1, 2, 3)], ["6", "12", "24"])
         self.assertEqual([champions["fractal", "1"][f"level_{level}_per_minute"] for level in (1, 2, 3)], ["24", "12", ""])
         xml.dom.minidom.parse(str(folder / "trials.svg"))
+
+    def test_one_trial_has_no_p(self):
+        self.trial("fractal/two_scales", 1, 1.0)
+        self.done(self.script)
+        (row,) = table_of(self.tree / "paper/fractal/statistics.csv")
+        self.assertEqual([row[f"p_{name}{test}"] for name in ("first_last", "scales") for test in ("", "_rank_sum")], [""] * 4)
+
+    def test_studies_of_balanced_beams_differ_in_these_alone(self):
+        for name in ("fractal/two_scales", "scale_invariance/one_scale", "scale_invariance/random"):
+            plain, balanced = (tomllib.loads((SOURCES / f"paper/{name}{end}.toml").read_text()) for end in ("", "_balanced"))
+            self.assertEqual(balanced.pop("materials"), {"beam_moments": "balanced"}, name)
+            self.assertEqual(balanced, plain, name)
 
     def test_generations_count_that_all_trials_have(self):
         for seed in (1, 2):

@@ -49,7 +49,7 @@ class Engine {
   [[nodiscard]] virtual VoxelView view(std::size_t voxel) const = 0;
   /// Returns the strains of all voxels, see Frame::strain.
   [[nodiscard]] virtual std::vector<double> strains() const = 0;
-  /// Returns the number of beams in the large-angle state, see beam_state.
+  /// Returns the number of beams in the large-angle state, see published_state.
   [[nodiscard]] virtual std::size_t large_angle_beams() const = 0;
   /// Returns for every voxel whether its collision sphere overlaps that of another voxel.
   [[nodiscard]] virtual std::vector<bool> in_contact_with_others() const = 0;

@@ -83,10 +83,10 @@ struct BeamStep {
 
 /// Returns the state of a beam in this step.
 /// @param balances see StepConstants::balances_moments
-/// @param small whether the beam was in the small-angle state, see beam_state
+/// @param small whether the beam was in the small-angle state, see published_state
 template <class T>
 MENGER_HOST_DEVICE inline BeamState<T> state_of_beam(bool balances, const BeamEnds<T>& ends, const T& small) {
-  return balances ? balanced_state(ends) : beam_state(ends, small);
+  return balances ? balanced_state(ends) : published_state(ends, small);
 }
 
 /// Returns loads on a beam, in its frame, as they act on its ends.

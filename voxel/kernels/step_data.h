@@ -88,7 +88,7 @@ struct StepConstants {
   Real strain_limit = 0;
   bool stop_rotation_in_static_friction = false;
   bool single_precision_rest_lengths = false;
-  bool balances_moments = false;  ///< of beams; see balanced
+  bool balances_moments = false;  ///< whether the moments of beams balance their forces; see balanced
 };
 
 /// Everything that one step of one body reads and writes: plain arrays and constants, the same for every instruction set.

@@ -150,13 +150,14 @@ MENGER_HOST_DEVICE inline BeamState<T> beam_in_state(const BeamEnds<T>& ends, co
   return state;
 }
 
-/// Returns the deformation of a beam, and switches between the small- and the large-angle state.
+/// Returns the deformation of a beam with the moments that Voxelyze published, and switches between the small- and the
+/// large-angle state.
 ///
 /// Let d be the separation of the ends in the frame of the lower end. A beam enters the small-angle state when
 /// (|d_y| + |d_z|) / d_x < 0.05 and |1 - d_x / rest length| < 0.5. It leaves that state beyond 0.06 or 0.6. @cite
 /// hiller2014dynamic
 template <class T>
-MENGER_HOST_DEVICE inline BeamState<T> beam_state(const BeamEnds<T>& ends, const T& was_small) {
+MENGER_HOST_DEVICE inline BeamState<T> published_state(const BeamEnds<T>& ends, const T& was_small) {
   using std::abs;
   const Rotation<T> frame = matrix(ends.lower);
   const Vector3<T> d = rotate_back(frame, ends.separation);

@@ -124,7 +124,7 @@ bool ForceBalance::update_beam_states(StaticState& state, bool only_to_large) co
     const StaticBeam& beam = body_->beams[i];
     const BeamEnds<double> ends =
         beam_ends(state.poses[beam.lower], state.poses[beam.upper], beam.axis, rest_length_[i], half_kink_[i]);
-    const char now = beam_state(ends, static_cast<double>(state.small[i])).small ? 1 : 0;
+    const char now = published_state(ends, static_cast<double>(state.small[i])).small ? 1 : 0;
     changed = changed || now != state.small[i];
     state.small[i] = now;
   }

@@ -183,7 +183,7 @@ TEST(BalancedBeam, HasTheLoadsThatItsEnergyGives) {
 TEST(BeamState, SwitchesWithHysteresis) {
   const auto is_small = [](double turn, double stretch, double was_small) {
     const double x = edge * (1.0 + stretch);
-    return beam_state(ends({x, turn * x, 0.0}, {0, 0, 0}, {0, 0, 0}), was_small).small;
+    return published_state(ends({x, turn * x, 0.0}, {0, 0, 0}, {0, 0, 0}), was_small).small;
   };
   EXPECT_TRUE(is_small(0.055, 0.0, 1.0));
   EXPECT_FALSE(is_small(0.055, 0.0, 0.0));
@@ -199,12 +199,12 @@ TEST(BeamState, IsTheSameHoweverTheWholeBeamIsTurned) {
   const Vector3<double> separation{0.0103, 0.0009, -0.0004};
   const Vector3<double> lower{0.02, -0.01, 0.03};
   const Vector3<double> upper{-0.05, 0.04, 0.1};
-  const BeamState<double> straight = beam_state(ends(separation, lower, upper), 0.0);
+  const BeamState<double> straight = published_state(ends(separation, lower, upper), 0.0);
   const Quaternion<double> turn = quaternion_of(Vector3<double>{0.9, -1.3, 0.4});
   BeamEnds<double> turned_ends = ends(rotate(matrix(turn), separation), lower, upper);
   turned_ends.lower = turn * turned_ends.lower;
   turned_ends.upper = turn * turned_ends.upper;
-  const BeamState<double> turned = beam_state(turned_ends, 0.0);
+  const BeamState<double> turned = published_state(turned_ends, 0.0);
   EXPECT_FALSE(straight.small);
   EXPECT_NEAR(turned.deformation.displacement.x, straight.deformation.displacement.x, 1e-16);
   EXPECT_NEAR(turned.deformation.lower_angle_z, straight.deformation.lower_angle_z, 1e-14);
@@ -249,9 +249,9 @@ TEST(BeamKink, TakesTheWorkThatItsMomentsDo) {
     kink(bent, half_y, half_z);
     return bent;
   };
-  const auto energy = [&](const BeamEnds<double>& bent) { return beam_energy(c, beam_state(bent, 1.0).deformation, edge); };
+  const auto energy = [&](const BeamEnds<double>& bent) { return beam_energy(c, published_state(bent, 1.0).deformation, edge); };
   const BeamEnds<double> now = at(0.001, 0.002);
-  const BeamState<double> state = beam_state(now, 1.0);
+  const BeamState<double> state = published_state(now, 1.0);
   ASSERT_TRUE(state.small);
   const BeamLoads<double> loads = to_world(state.frame, beam_elastic_loads(c, state.deformation, edge));
   const Vector3<double> moment =
@@ -279,10 +279,10 @@ void expect_rates_match(double was_small, const Vector3<double>& separation, boo
     return moved;
   };
   const double step = 1e-7;
-  const BeamState<double> now = beam_state(at(0.0), was_small);
+  const BeamState<double> now = published_state(at(0.0), was_small);
   ASSERT_EQ(now.small, small);
-  const BeamDeformation<double> later = beam_state(at(step), was_small).deformation;
-  const BeamDeformation<double> earlier = beam_state(at(-step), was_small).deformation;
+  const BeamDeformation<double> later = published_state(at(step), was_small).deformation;
+  const BeamDeformation<double> earlier = published_state(at(-step), was_small).deformation;
   const BeamDeformation<double> rate = rate_from_velocities(now, at(0.0), rates);
   const double per = 1.0 / (2.0 * step);
   EXPECT_NEAR(rate.displacement.x, per * (later.displacement.x - earlier.displacement.x), 1e-6);
@@ -311,9 +311,9 @@ TEST(BeamRates, OfAKinkMatchDifferences) {
   BeamEndRates<double> rates{};
   add_kink_rate(rates, at(0.0), rate_y, rate_z);
   const double step = 1e-7;
-  const BeamDeformation<double> rate = rate_from_velocities(beam_state(at(0.0), 1.0), at(0.0), rates);
-  const BeamDeformation<double> later = beam_state(at(step), 1.0).deformation;
-  const BeamDeformation<double> earlier = beam_state(at(-step), 1.0).deformation;
+  const BeamDeformation<double> rate = rate_from_velocities(published_state(at(0.0), 1.0), at(0.0), rates);
+  const BeamDeformation<double> later = published_state(at(step), 1.0).deformation;
+  const BeamDeformation<double> earlier = published_state(at(-step), 1.0).deformation;
   EXPECT_NEAR(rate.displacement.y, (later.displacement.y - earlier.displacement.y) / (2.0 * step), 1e-6);
   EXPECT_NEAR(rate.displacement.z, (later.displacement.z - earlier.displacement.z) / (2.0 * step), 1e-6);
   EXPECT_NEAR(rate.upper_angle.y, (later.upper_angle.y - earlier.upper_angle.y) / (2.0 * step), 1e-3);
