@@ -3,8 +3,8 @@
 
 changed_walks.py similar FOLDER      writes scenes of the champions of two scales at larger scales, each with the weight, the stiffness, or
                                      both that make it as heavy and as stiff for its size as at the scale before
-changed_walks.py balanced FOLDER     writes scenes of all champions at the two smallest scales: as they are, with beams whose moments balance
-                                     their forces, and with half the time step
+changed_walks.py balanced FOLDER     writes scenes of all champions at the two smallest scales: as they are, with half the time step, and
+                                     with beams whose moments balance their forces, which champions of some searches have already
 changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
 changed_walks.py summary             makes similar_statistics.csv and balanced_statistics.csv of the tables that there are
 
@@ -22,7 +22,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
 from sample_statistics import median, share, signed_rank  # noqa: E402
-from scale_invariance import (CELL_EDGE_M, EVOLVED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths, outcome,  # noqa: E402
+from scale_invariance import (CELL_EDGE_M, EVOLVED, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths, outcome,  # noqa: E402
                               robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 
@@ -37,6 +37,7 @@ SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": 
 BALANCED = {"as_it_is": {}, "balanced": {"materials": {"beam_moments": "balanced"}}, "half_step": {"integration": {"time_step_fraction": 0.45}}}
 BALANCED_LABELS = {"balanced": "balanced moments", "half_step": "half the time step"}
 BALANCED_LEVELS = (1, 2)
+ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
 LEAST_SHARE = 0.5  # of its speed, which a champion keeps
 
 
@@ -45,12 +46,14 @@ def champions(*groups):
 
 
 def scene(robot, level, changes):
-    """A scene with the physics of the search but for what is changed: the preset "paper" with the search's own integration.
+    """A scene with the physics of the search but for what is changed: the preset "paper" with the search's own integration and beams.
 
     @param changes {table: {key: number or word}}"""
     preset = read_toml(PRESET)
     tables = {name: dict(preset[name]) for name in ("loads", "ground", "materials", "damping", "drive", "collisions", "limits")}
     tables["integration"] = preset["integration"] | read_toml(SEARCH_STUDY)["integration"]
+    if robot["group"] in EVOLVED_BALANCED:
+        tables["materials"] |= BALANCED["balanced"]["materials"]
     for table, keys in changes.items():
         tables[table] |= keys
     design = {"name": f"champion_{robot['group']}_{robot['seed']}", "cell_edge_m": CELL_EDGE_M, "cells": [3, 3, 3], "digits": robot["phenotype"], "level": level}
@@ -82,9 +85,11 @@ def similar_scenes(folder):
 
 
 def balanced_scenes(folder):
-    for robot in champions(*EVOLVED):
+    for robot in champions(*ALL_EVOLVED):
         for level in BALANCED_LEVELS:
             for change, changes in BALANCED.items():
+                if change == "balanced" and robot["group"] in EVOLVED_BALANCED:
+                    continue
                 write_scene(folder, robot, level, change, changes)
 
 
@@ -134,7 +139,7 @@ def balanced_statistics():
     """What is left of the speed of champions at the same scale where the moments of beams balance their forces, and with half the step."""
     walks = walks_of("balanced")
     rows = []
-    for group in EVOLVED:
+    for group in ALL_EVOLVED:
         of_group = [found for (name, _), found in walks.items() if name == group]
         for level in BALANCED_LEVELS:
             for change, label in BALANCED_LABELS.items():

@@ -486,7 +486,8 @@ class ScaleInvariance(Case):
 
     def scenes(self, part):
         self.champions([["two_scales", 1, body(1), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0], ["two_scales", 2, body(2), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0],
-                        ["one_scale", 1, body(3), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0], ["random", 3, body(4), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0]])
+                        ["one_scale", 1, body(3), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0],
+                        ["two_scales_balanced", 1, body(5), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0], ["random", 3, body(4), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0]])
         folder = self.tree / "scenes"
         self.done(self.changed, part, folder)
         return folder, {file.stem: tomllib.loads(file.read_text()) for file in folder.glob("*.toml")}
@@ -522,7 +523,9 @@ class ScaleInvariance(Case):
 
     def test_balanced_scenes_differ_in_the_moments_of_beams_only(self):
         folder, scenes = self.scenes("balanced")
-        self.assertEqual(len(scenes), 3 * 2 * 3, "champions of all searches at two scales")
+        self.assertEqual(len(scenes), 3 * 2 * 3 + 2 * 2, "champions of all searches at two scales")
+        of_balanced = [scenes[f"two_scales_balanced-1-2-{name}"] for name in ("as_it_is", "half_step")]
+        self.assertEqual([one["materials"]["beam_moments"] for one in of_balanced], ["balanced"] * 2, "the beams of their search")
         plain, changed, halved = (scenes[f"one_scale-1-2-{name}"] for name in ("as_it_is", "balanced", "half_step"))
         self.assertEqual((plain["materials"].pop("beam_moments"), changed["materials"].pop("beam_moments")), ("published", "balanced"))
         self.assertEqual(changed, plain)
