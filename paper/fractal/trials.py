@@ -53,7 +53,7 @@ LEVELS = (1, 2, 3)
 NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", falls_apart=True),
-        "balanced": Arm(HERE / "two_scales_balanced", "fractal, balanced beams", "#E69F00", (0, (4, 1)), "P"),
+        "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
@@ -275,7 +275,7 @@ def draw(arms):
     draw_ends(panels[1][0], arms)
     for place, arm in enumerate(by_scale):
         panel = figure.add_subplot(grid[2 + place // 2, place % 2])
-        panels.append((panel, f"speed by scale, {DRAWN[arm].label} (n = {len(arms[arm])})"))
+        panels.append((panel, f"{DRAWN[arm].label} (n = {len(arms[arm])})"))
         draw_scales(panel, arms[arm])
         if place % 2 == 0:
             panel.set_ylabel("speed of the best robot\n(body lengths per minute)")
