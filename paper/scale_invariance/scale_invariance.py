@@ -325,7 +325,7 @@ def draw_robots(panel, every, family):
         if not len(lower_m):
             continue
         angle, factor = angle_and_factor(lower_m, upper_m)
-        factor = np.maximum(factor, 1e-6)
+        factor = np.maximum(factor, 1e-3)  # who nearly stops at 9 cells is drawn here
         reach = max(reach, factor.max(), 1.0 / factor.min())
         label = GROUPS[group].removesuffix(f" {BALANCED}")  # which the title of the panel says
         panel.scatter(angle, factor, c=colour, marker=mark, s=size, label=f"{label} (n = {len(angle)})", zorder=2 if group == family else 3,
