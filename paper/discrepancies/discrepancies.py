@@ -406,8 +406,9 @@ def with_headings(rows):
             place -= 0.35
             headings.append((place, row["kind"]))
             place -= 1.0
-        places.append(place)
-        place -= 1.0
+        second_line = 0.25 * row["label"].count(", ")  # labels break at commas
+        places.append(place - second_line)
+        place -= 1.0 + 2.0 * second_line
     return places, headings
 
 
