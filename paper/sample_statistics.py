@@ -82,6 +82,7 @@ def mcnemar(before, after):
 
 # What a verdict on something that the paper says means, if yes is its side.
 OUTCOMES = {"yes": "reproduced", "no": "not reproduced", "open": "open"}
+LARGEST_P = 0.05  # with which a test tells groups apart
 
 
 def verdict(estimate, against):

@@ -1,8 +1,8 @@
 """Small tables (CSV) and studies (TOML) that scripts of experiments read and write."""
 
 import csv
-import json
 import io
+import json
 import os
 import pathlib
 import sys

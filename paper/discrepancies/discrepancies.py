@@ -174,10 +174,10 @@ def agreement(fitness, changed):
     return row
 
 
-def comparison(before, other):
-    """The fitness of a variant against that before the change: of all robots, and of those that ended all walks of both."""
-    fitness, changed = before.fitness(), other.fitness()
-    ended = before.ended() & other.ended()
+def comparison(text, other):
+    """The fitness of a variant against that of the text: of all robots, and of those that ended all walks of both."""
+    fitness, changed = text.fitness(), other.fitness()
+    ended = text.ended() & other.ended()
     everyone = agreement(fitness, changed)
     of_ended = everyone if ended.all() else agreement(fitness[ended], changed[ended])
     top = len(fitness) // 10
@@ -191,23 +191,27 @@ def how_far_ends_move(before, after, level, robots):
     return np.hypot(*(after.ends_m[level] - before.ends_m[level])[robots].T) / before.distances_m(level)[robots]
 
 
+def distance_correlation(before, after, level):
+    """Spearman's rank correlation of the distances of robots that end both walks, or None where there is none."""
+    both = before.ended_at(level) & after.ended_at(level)
+    return known(rank_correlation(before.distances_m(level)[both], after.distances_m(level)[both])) if both.sum() > 1 else None
+
+
 def ninth_decile(sample, axis=-1):
     return np.quantile(sample, 0.9, axis=axis)
 
 
-def change(before, other, level):
-    """How far the ends of a variant are from those before the change, over the distance there: of robots that move there and end both walks."""
-    both = before.ended_at(level) & other.ended_at(level)
-    moving = both & before.moves(level)
+def change(text, other, level):
+    """How far the ends of a variant are from those of the text, over the distance there: of robots that move there and end both walks."""
+    both = text.ended_at(level) & other.ended_at(level)
+    moving = both & text.moves(level)
     longest_m = np.nanmax(other.distances_m(level)) if other.ended_at(level).any() else None
     row = {"failed": int(np.sum(~other.ended_at(level))), "ended": int(both.sum()),
-           "fastest_m_per_s": longest_m / other.duration_s if longest_m is not None else None, "moving": int(moving.sum())}
-    if both.sum() > 1:
-        row["distance_spearman"] = known(rank_correlation(before.distances_m(level)[both], other.distances_m(level)[both]))
+           "fastest_m_per_s": longest_m / other.duration_s if longest_m is not None else None, "moving": int(moving.sum()),
+           "distance_spearman": distance_correlation(text, other, level)}
     if moving.any():
-        before_m = before.distances_m(level)[moving]
-        end = how_far_ends_move(before, other, level, moving)
-        factor = other.distances_m(level)[moving] / before_m
+        end = how_far_ends_move(text, other, level, moving)
+        factor = other.distances_m(level)[moving] / text.distances_m(level)[moving]
         for name, sample in (("end", end), ("distance", np.abs(factor - 1.0)), ("factor", factor)):
             row |= interval(f"{name}_median", median(sample)) | interval(f"{name}_ninth_decile", bootstrap(ninth_decile, sample))
     return row
@@ -346,10 +350,7 @@ def with_both_beams(pairs, level):
         for name, sample in zip(("published_end_median", "balanced_end_median"), moved):
             row |= interval(name, median(sample))
         row["p"] = signed_rank(*moved)
-    for name, (before, after) in zip(("published", "balanced"), pairs):
-        ended = before.ended_at(level) & after.ended_at(level)
-        row[f"{name}_spearman"] = known(rank_correlation(before.distances_m(level)[ended], after.distances_m(level)[ended])) if ended.sum() > 1 else None
-    return row
+    return row | {f"{name}_spearman": distance_correlation(*pair, level) for name, pair in zip(("published", "balanced"), pairs)}
 
 
 def of_balanced(name, text, there):
@@ -358,11 +359,10 @@ def of_balanced(name, text, there):
     if not other or not {other, "balanced"} <= set(there):
         return []
     balanced, walks = Walks("balanced"), Walks(name)
-    compared = comparison(balanced, walks)
+    fitness_agreement = agreement(balanced.fitness(), walks.fitness())
     return [{"variant": name, "level": level, "cells_per_side": cells_per_side(level), "label": variant(other)["label"]}
             | with_both_beams(((text, Walks(other)), (balanced, walks)), level)
-            | {key: value for key, value in compared.items() if key.startswith(("fitness_spearman", "another_best_of_ten"))}
-            for level in walks.levels]
+            | fitness_agreement for level in walks.levels]
 
 
 def summary():

@@ -26,7 +26,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
 from multiple_tests import holm  # noqa: E402
-from sample_statistics import OUTCOMES, bootstrap, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
+from sample_statistics import LARGEST_P, OUTCOMES, bootstrap, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
 from scale_invariance import fitness, random_robots  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
@@ -67,7 +67,6 @@ RANDOM_ROBOTS_LIKE = {"fractal": "random", "fractal_longer": "random", "balanced
 DURATION_S = 5.0
 PAPER_CHAMPIONS = 10  # of which there are as many of both dimensions
 PAPER_OF_A_DIMENSION = 5
-LARGEST_P = 0.05  # with which shares differ
 PER_MINUTE = 60.0 / DURATION_S
 
 

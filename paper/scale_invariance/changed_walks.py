@@ -22,7 +22,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
 from sample_statistics import median, share, signed_rank  # noqa: E402
-from scale_invariance import (CELL_EDGE_M, EVOLVED, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths, outcome,  # noqa: E402
+from scale_invariance import (ALL_EVOLVED, CELL_EDGE_M, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths, outcome,  # noqa: E402
                               robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 
@@ -37,7 +37,6 @@ SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": 
 BALANCED = {"as_it_is": {}, "balanced": {"materials": {"beam_moments": "balanced"}}, "half_step": {"integration": {"time_step_fraction": 0.45}}}
 BALANCED_LABELS = {"balanced": "balanced moments", "half_step": "half the time step"}
 BALANCED_LEVELS = (1, 2)
-ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
 LEAST_SHARE = 0.5  # of its speed, which a champion keeps
 
 

@@ -24,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, rank_sum, share, signed_rank, spearman, verdict  # noqa: E402
+from sample_statistics import LARGEST_P, OUTCOMES, difference_of_shares, fisher, median, rank_sum, share, signed_rank, spearman, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -40,7 +40,7 @@ GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_s
           "two_scales_balanced": f"evolved at two scales {BALANCED}"}
 EVOLVED = ("one_scale", "two_scales", "three_scales")  # by the number of scales that selection sees
 EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
-LARGEST_P = 0.05  # of Fisher's test, for an outcome
+ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
 FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
 # Random robots, and those that are evolved in the same physics
@@ -90,8 +90,8 @@ def add_random(source, group):
 
 
 def add_champion(folder, group, seed):
-    if group not in (names := EVOLVED + EVOLVED_BALANCED):
-        raise InputError(f"{group}: must be one of {', '.join(names)}")
+    if group not in ALL_EVOLVED:
+        raise InputError(f"{group}: must be one of {', '.join(ALL_EVOLVED)}")
     ends_m = {}
     for level in LEVELS:
         result = read_toml(folder / f"level_{level}" / "result.toml")
