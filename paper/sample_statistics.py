@@ -3,17 +3,19 @@
 Bootstraps have a fixed seed, so that the same sample gives the same interval.
 """
 
+import itertools
 import sys
 import warnings
 from dataclasses import dataclass
 
 try:
     import numpy as np
-    from scipy import stats
+    from scipy import optimize, stats
 except ImportError as error:
     sys.exit(f"{error}: statistics of experiments need SciPy: apt-get install python3-scipy")
 
 RESAMPLES = 2000
+PAIRINGS = 9999  # drawn at random where there are more
 SEED = 1
 
 
@@ -80,9 +82,27 @@ def mcnemar(before, after):
     return float(stats.binomtest(gained, gained + lost).pvalue) if gained + lost else 1.0
 
 
+def pairing(matches):
+    """p of a permutation test, two-sided: whether members match themselves more or less often than they would if they were paired at random.
+    None of one member.
+
+    @param matches a square table, yes or no: whether the first side of a member (row) matches the second side of another one (column)"""
+    matches = np.asarray(matches, dtype=bool)
+    if len(matches) < 2:
+        return None
+    places = np.arange(len(matches))
+    return float(stats.permutation_test((places,), lambda order: matches[places, order.astype(int)].sum(), permutation_type="pairings", vectorized=False,
+                                        n_resamples=PAIRINGS, random_state=np.random.default_rng(SEED)).pvalue)
+
+
 # What a verdict on something that the paper says means, if yes is its side.
 OUTCOMES = {"yes": "reproduced", "no": "not reproduced", "open": "open"}
-LARGEST_P = 0.05  # with which a test tells groups apart
+LARGEST_P = 0.05
+
+
+def tells_apart(p):
+    """Whether a test with this p tells groups apart; None is of a test that could not be made."""
+    return p is not None and p < LARGEST_P
 
 
 def verdict(estimate, against):
@@ -97,33 +117,70 @@ def fisher(count, of, other_count, of_others):
     return float(stats.fisher_exact([[count, of - count], [other_count, of_others - other_count]])[1])
 
 
-@dataclass(frozen=True)
-class RankSum:
-    """Wilcoxon's rank-sum test of two samples, also called Mann and Whitney's."""
+def freeman_halton(counts, others):
+    """The p of Freeman and Halton's exact test: whether two groups are spread alike over more than two kinds. It sums the probabilities of
+    all tables with the same sums of rows and columns that are at most as probable as this one; with two kinds it is Fisher's test.
 
-    p: float  # two-sided: how often equal distributions differ as much
-    larger: Estimate  # how often a member of the first sample is larger than one of the second, ties counted half
+    @param counts how many members of the first group are of each kind; others those of the second one
+    Source: Freeman and Halton, Biometrika 38 (1951) 141."""
+    of_kinds = [one + other for one, other in zip(counts, others)]
+    law = stats.multivariate_hypergeom(of_kinds, sum(counts))
+    rows = [row for row in itertools.product(*(range(of + 1) for of in of_kinds)) if sum(row) == sum(counts)]
+    probabilities = law.pmf(rows)
+    return min(1.0, float(probabilities[probabilities <= law.pmf(counts) * (1.0 + 1e-9)].sum()))
 
 
 def rank_sum(first, second):
-    """The exact test up to 25 members on a side if no two are equal, else with the normal distribution, corrected for ties."""
+    """The two-sided p of Wilcoxon's rank-sum test, also called Mann and Whitney's: how often samples of equal distributions differ as much.
+    None where a sample has one member: whatever it is, p would be large.
+
+    Exact up to 25 members on a side if no two are equal, else with the normal distribution, corrected for ties."""
+    if min(len(first), len(second)) < 2:
+        return None
     tied = len(set(first) | set(second)) < len(first) + len(second)
     method = "asymptotic" if tied or max(len(first), len(second)) > 25 else "exact"
-    p = float(stats.mannwhitneyu(first, second, alternative="two-sided", method=method).pvalue)
+    return float(stats.mannwhitneyu(first, second, alternative="two-sided", method=method).pvalue)
 
-    def larger(a, b):
-        return (np.sign(a[:, None] - b[None, :]) + 1.0).mean() / 2.0
 
-    return RankSum(p, bootstrap(larger, first, second))
+def share_of_larger(first, second):
+    """How often a member of the first sample is larger than one of the second, of all pairs of the two; ties count half.
+
+    The interval is Newcombe's (his method 5): the shares whose standard error, by the formula of Hanley and McNeil with the mean of both
+    sizes, leaves the observed share 1.96 of it away. It holds where no member of one sample is as large as one of the other, too.
+    Source: Newcombe, Statistics in Medicine 25 (2006) 559."""
+    first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
+    value = float((np.sign(first[:, None] - second[None, :]) + 1.0).mean() / 2.0)
+    if min(len(first), len(second)) < 2:
+        return Estimate(value, None, None)
+    others = (len(first) + len(second)) / 2.0 - 1.0
+    z = stats.norm.ppf(0.975)
+
+    def excess(share):
+        variance = share * (1.0 - share) * (1.0 + others * ((1.0 - share) / (2.0 - share) + share / (1.0 + share))) / (len(first) * len(second))
+        return (value - share) ** 2 - z**2 * variance
+
+    # Next to the observed share, where there is a root of its own if that is 0 or 1, the error is too large.
+    low, high = (end if value == end else optimize.brentq(excess, end, value + 1e-9 * (end - value)) for end in (0.0, 1.0))
+    return Estimate(value, float(low), float(high))
+
+
+def share_of_larger_pairs(first, second):
+    """How often a member of the first sample is larger than that at the same place of the second, with Wilson's interval. Equal pairs are
+    left out, as in the signed-rank test."""
+    difference = np.asarray(first, dtype=float) - np.asarray(second, dtype=float)
+    unequal = int(np.sum(difference != 0.0))
+    return share(int(np.sum(difference > 0.0)), unequal) if unequal else Estimate(0.5, None, None)
 
 
 def signed_rank(first, second):
     """The two-sided p of Wilcoxon's signed-rank test of pairs: how often differences as large come from a distribution symmetric about 0.
 
-    Pairs of equal numbers are left out; where all are equal p is 1. Exact up to 50 of the others if no two differences are equally
+    None of one pair: whatever it is, p would be 1. Pairs of equal numbers are left out; where all are equal p is 1. Exact up to 50 of the others if no two differences are equally
     large, else with the normal distribution, corrected for ties.
     """
     differences = np.asarray(first, dtype=float) - np.asarray(second, dtype=float)
+    if len(differences) < 2:
+        return None
     differences = differences[differences != 0.0]
     if len(differences) == 0:
         return 1.0

@@ -38,7 +38,7 @@ TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten
 SPONGE_CELLS = (16, 19)  # those of a Hausdorff dimension of 2.5 to 2.7, as half of the paper's champions have
 # What a variant is, in the order of tables and of the figure.
-KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "physics": "in both, beams turn bodies",
+KINDS = {"difference": "the released code does otherwise", "omission": "the text does not mention it", "physics": "in both, beams spin bodies",
          "sensitivity": "sensitivity"}
 
 
@@ -51,6 +51,13 @@ def variant(name):
     if found is None:
         raise InputError(f"{HERE / 'variants.toml'}: there is no variant {name}; there are {', '.join(variants())}")
     return found
+
+
+def like(body):
+    """A name that a body shares with those that differ from it by mirrors, quarter turns about the vertical, or the exchange of its materials."""
+    cells = np.array([int(digit) for digit in body]).reshape(3, 3, 3)  # z, y, x
+    turned = [np.rot90(one, quarter, axes=(1, 2)) for one in (cells, cells[:, :, ::-1]) for quarter in range(4)]
+    return min("".join(map(str, order[one].ravel())) for one in turned for order in (np.array([0, 1, 2]), np.array([0, 2, 1])))
 
 
 def duration_s(name):
@@ -180,10 +187,7 @@ def comparison(text, other):
     ended = text.ended() & other.ended()
     everyone = agreement(fitness, changed)
     of_ended = everyone if ended.all() else agreement(fitness[ended], changed[ended])
-    top = len(fitness) // 10
-    in_common = len(set(np.argsort(-fitness)[:top]) & set(np.argsort(-changed)[:top])) / top
-    return {"failed": int(np.sum(~other.ended())), "ended": int(ended.sum())} | everyone | {f"ended_{key}": value for key, value in of_ended.items()} | {
-        "best_tenth_in_common": in_common}
+    return {"failed": int(np.sum(~other.ended())), "ended": int(ended.sum())} | everyone | {f"ended_{key}": value for key, value in of_ended.items()}
 
 
 def how_far_ends_move(before, after, level, robots):
@@ -239,7 +243,8 @@ def from_scale_to_scale(walks, lower, upper):
     """What of the paper's statements random robots show from one scale to the next.
 
     Which scale is the slower one is asked of robots that move at either of them: those that move at the smaller one were chosen
-    because they are fast there, so that by chance alone more than half of them would be slower at the larger one.
+    because they are fast there, so that by chance alone more than half of them would be slower at the larger one. The same of those
+    that move at both tells robots that are faster from robots that move at all.
     """
     small, large = walks.body_lengths(lower), walks.body_lengths(upper)
     ended = walks.ended_at(lower) & walks.ended_at(upper)
@@ -251,6 +256,11 @@ def from_scale_to_scale(walks, lower, upper):
         row["larger_is_slower_outcome"] = OUTCOMES[row["larger_is_slower_verdict"]]
         with np.errstate(divide="ignore", invalid="ignore"):  # who does not move at all at the smaller scale is infinitely faster at the larger one
             row |= interval("speed_factor", median(large[at_either] / small[at_either]))
+    at_both = moving & walks.moves(upper)
+    row["moving_at_both"] = int(at_both.sum())
+    if row["moving_at_both"] > 1:
+        row |= interval("larger_is_slower_of_both", share(int(np.sum((large < small)[at_both])), row["moving_at_both"]))
+        row |= interval("speed_factor_of_both", median(large[at_both] / small[at_both]))
     if row["moving"] > 1:
         ends_m = walks.ends_m[lower][moving], walks.ends_m[upper][moving]
         chance = by_chance(*ends_m)
@@ -263,12 +273,17 @@ def from_scale_to_scale(walks, lower, upper):
 
 
 def more_alike(text, walks, lower, upper):
-    """Whether a variant changes who does the same at the larger scale: of robots that move at the smaller one in both, McNemar's exact test."""
+    """Whether a variant changes who does the same at the larger scale, of robots that move at the smaller one in both: shares as the text
+    says and with the variant, and McNemar's exact test."""
     both = np.all([one.ended_at(lower) & one.ended_at(upper) & one.moves(lower) for one in (text, walks)], axis=0)
-    if not both.any():
-        return {}
-    found = [angle_and_factor(one.ends_m[lower][both], one.ends_m[upper][both]) for one in (text, walks)]
-    return {f"p_{name}": mcnemar(*(measure(*one) for one in found)) for name, measure in (("carried_over", carries_over), ("same_way", same_way))}
+    row = {"moving_in_both": int(both.sum())}
+    if both.any():
+        found = [angle_and_factor(one.ends_m[lower][both], one.ends_m[upper][both]) for one in (text, walks)]
+        for name, measure in (("carried_over", carries_over), ("same_way", same_way)):
+            of_text, of_variant = (measure(*one) for one in found)
+            row |= interval(f"in_both_text_{name}", share(int(of_text.sum()), len(of_text))) | interval(f"in_both_{name}", share(int(of_variant.sum()), len(of_text)))
+            row[f"p_{name}"] = mcnemar(of_text, of_variant)
+    return row
 
 
 def of_fitness(walks):
@@ -318,7 +333,7 @@ def verdicts(rows):
             others = [row for row in here if row[f"{name}_verdict"] != of_text]
             sentence = f"{of_text} in all {len(here)} variants" if not others else f"{of_text} in {len(here) - len(others)} of {len(here)} variants"
             for other in dict.fromkeys(row[f"{name}_verdict"] for row in others):
-                sentence += f"; {other} with: " + ", ".join(row["label"] for row in others if row[f"{name}_verdict"] == other)
+                sentence += f". {other.capitalize()} with: " + "; ".join(row["label"] for row in others if row[f"{name}_verdict"] == other)
             made.append({"conclusion": name, "levels": pair, "label": conclusion.label, "variants": len(here), "text": of_text,
                          "as_text": len(here) - len(others), "lowest": min(row[name] for row in here), "highest": max(row[name] for row in here),
                          "sentence": sentence})
@@ -370,6 +385,7 @@ def summary():
     if "text" not in there:
         raise InputError(f"{HERE / 'walks' / 'text.csv'}: is not there: ./run paper discrepancies text")
     text = Walks("text")
+    unlike = len({like(body) for body in text.bodies})
     compared, changed, balanced_changed, failed, concluded = [], [], [], [], []
     for name in there:
         walks = Walks(name)
@@ -384,7 +400,7 @@ def summary():
             failed += [{"variant": name} | row | {"label": about["label"]} for level in walks.levels if not walks.ended_at(level).all()
                        for row in failures(text, walks, level)]
         if name != "text":
-            compared.append({"variant": name} | about | comparison(text, walks))
+            compared.append({"variant": name} | about | {"unlike": unlike} | comparison(text, walks))
             if (other := variant(name).get("failures_of")) in there:
                 compared[-1]["failed_in_common"] = int(np.sum(~walks.ended() & ~Walks(other).ended()))
             if own:

@@ -4,11 +4,12 @@ part duration "4 min" "the released code does otherwise: 2 s instead of 5 s"
 part phases "10 min" "the released code does otherwise: material 1 lags"
 part released_walks "4 min" "the released code does otherwise: 2 s, its score and its phases"
 part no_drag "10 min" "the text does not mention it: no global damping"
-part free_rotation "10 min" "the text does not mention it: standing voxels may turn"
+part free_rotation "10 min" "the text does not mention it: standing voxels may rotate"
 part balanced "10 min" "beams whose moments balance their forces, which in text and code they do not"
 part balanced_no_drag "10 min" "balanced, without global damping"
+part balanced_no_drag_half_step "20 min" "the same with half the time step"
 part balanced_half_step "20 min" "balanced, with half the time step"
-part balanced_free_rotation "10 min" "balanced, and standing voxels may turn"
+part balanced_free_rotation "10 min" "balanced, and standing voxels may rotate"
 part half_step "20 min" "sensitivity: half the time step"
 part no_collisions "8 min" "sensitivity: bodies that go through themselves"
 part_on_request double "20 min" "sensitivity: double precision"
@@ -31,6 +32,6 @@ walks() {
   "$study/discrepancies.py" take "$results/$1/individuals.csv" "$1"
 }
 
-for variant in text duration phases released_walks no_drag free_rotation balanced balanced_no_drag balanced_half_step balanced_free_rotation half_step no_collisions double no_drag_half_step; do
+for variant in text duration phases released_walks no_drag free_rotation balanced balanced_no_drag balanced_no_drag_half_step balanced_half_step balanced_free_rotation half_step no_collisions double no_drag_half_step; do
   eval "$variant() { walks $variant; }"
 done

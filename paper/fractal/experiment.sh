@@ -8,6 +8,9 @@ done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "balanced_$seed" "4 min of two cores" "as two_scales_$seed with beams whose moments balance their forces"
 done
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+  part "random_search_$seed" "1 min of two cores" "as many robots, all drawn at random"
+done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
 part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
@@ -26,6 +29,8 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "two_scales_$seed() { search two_scales $seed; }"
   eval "in_pieces_$seed() { search two_scales_in_pieces $seed; }"
   eval "balanced_$seed() { search two_scales_balanced $seed; }"
+  # Another seed than that of a trial: with the same one, the robots of its first generation would be among those that are drawn.
+  eval "random_search_$seed() { search random_search $((2000 + seed)); }"
 done
 
 # shellcheck disable=SC2154  # $study is that of run_experiment.sh

@@ -2,16 +2,17 @@
 """What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv and trials.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
-             two_scales_balanced/SEED.csv, and three_scales/SEED.csv in both folders
+             two_scales_balanced/SEED.csv, random_search/SEED.csv, and three_scales/SEED.csv in both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on
 stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
-at the last generation that both have. The best robot of a trial at first and at the end, and a champion at two scales, are pairs: p is
-that of the signed-rank test. The rank-sum test, which the paper used and which takes them for samples apart, stands beside it. The best
-robot can only rise, so the fractal trials are also compared with the best of as many random robots as a trial asks for, where as many
-have walked. An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on
-the other side, else "open"; and "differs" if a share is another one than the paper's by Fisher's test (p < 0.05, with Holm's correction
-for the shares of two dimensions).
+at the last generation that both have: by the rank-sum test, or by the signed-rank test where they have the same seeds and so begin with
+the same robots. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which
+the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared
+with trials of random search, which draw as many robots.
+An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
+side, else "open"; where two arms are compared, the test has to agree (p < 0.05). Dimensions of champions "differ" if they are spread
+otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (p < 0.05).
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -22,13 +23,11 @@ from string import ascii_lowercase
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
+sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from multiple_tests import holm  # noqa: E402
-from sample_statistics import LARGEST_P, OUTCOMES, bootstrap, fisher, mean, rank_sum, share, signed_rank, verdict  # noqa: E402
-from scale_invariance import fitness, random_robots  # noqa: E402
-from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
+from sample_statistics import OUTCOMES, freeman_halton, mean, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
+from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
 
@@ -42,7 +41,6 @@ class Arm:
     dashes: str | tuple
     mark: str
     is_fractal: bool = True  # robots of the control are none, and have no dimension
-    falls_apart: bool = False
 
     def longer(self):
         dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1)), (0, (4, 1)): (0, (4, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
@@ -52,21 +50,19 @@ class Arm:
 LEVELS = (1, 2, 3)
 NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
-        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", falls_apart=True),
+        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v"),
         "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P"),
+        "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
-SCALE_STYLES = {1: ("#E69F00", "-"), 2: ("#0072B2", "--"), 3: ("#CC79A7", ":")}
-COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("three_scales", "non_fractal_three_scales"),
-               ("fractal_longer", "non_fractal_longer"))
-# Which random robots have the scales, the physics and the rules of an arm
-RANDOM_ROBOTS_LIKE = {"fractal": "random", "fractal_longer": "random", "balanced": "random_balanced", "balanced_longer": "random_balanced"}
+SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
+COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "random_search"),
+               ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
 DURATION_S = 5.0
-PAPER_CHAMPIONS = 10  # of which there are as many of both dimensions
-PAPER_OF_A_DIMENSION = 5
+PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
 PER_MINUTE = 60.0 / DURATION_S
 
 
@@ -111,51 +107,20 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
-def random_speeds(group):
-    """Of random robots at two scales: the slower speed of each body, ascending, body lengths a minute."""
-    drawn = random_robots(group)
-    speeds = fitness(drawn) * PER_MINUTE if drawn else np.empty(0)
-    return np.sort(speeds[np.isfinite(speeds)])
-
-
-def random_best(arm, trials):
-    """The best of as many random robots as a trial asks for (median), and the probability that a trial ends with a faster one; nothing where
-    fewer have walked. The distribution of random robots is that of those that walked; bootstraps draw these anew, too."""
-    names = ("asked", "random_robots", "random_best", "beats_random", "beats_random_low", "beats_random_high", "beats_random_outcome")
-    population = read_toml(HERE.parent / "presets" / "paper.toml")["population"]
-    asked = population["survivors"] + (population["mutants"] + population["newcomers"]) * (len(trials[0].best) - 1)
-    speeds = random_speeds(RANDOM_ROBOTS_LIKE[arm]) if arm in RANDOM_ROBOTS_LIKE else []
-    if len(speeds) < asked:
-        return dict.fromkeys(names)
-    best = float(np.quantile(speeds, 0.5 ** (1.0 / asked), method="inverted_cdf"))
-    found = bootstrap(lambda ends, drawn: np.mean([np.mean(drawn <= end) ** asked for end in ends]), [trial.best[-1] for trial in trials], speeds)
-    return dict(zip(names, (asked, len(speeds), best, found.value, found.low, found.high, OUTCOMES[verdict(found, 0.5)])))
-
-
-def dimension_share(name, count, of, p):
-    found = share(count, of)
-    return {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high, f"{name}_p_paper": p,
-            f"{name}_outcome": "differs" if p < LARGEST_P else "open"}
-
-
 def dimensions_of(arm, trials):
-    """How many fractal trials end with nine cells, as a plane has, and how many between 2.5 and 2.7; nothing for others."""
-    names = ("dimension_2", "dimension_2.5_to_2.7")
+    """How many fractal trials end with nine cells, as a plane has, between 2.5 and 2.7, or with another dimension; nothing for others."""
+    names = ("dimension_2", "dimension_2.5_to_2.7", "dimension_other")
+    row = {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")} | dict.fromkeys(("dimension_p_paper", "dimension_outcome"))
     if not DRAWN[arm].is_fractal:
-        return {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high", "_p_paper", "_outcome")}
+        return row
     ends = [trial.dimension[-1] for trial in trials]
-    counts = (sum(abs(end - 2.0) < 1e-9 for end in ends), sum(2.5 < end < 2.7 for end in ends))
-    both = holm([fisher(count, len(ends), PAPER_OF_A_DIMENSION, PAPER_CHAMPIONS) for count in counts])
-    return {key: value for name, count, p in zip(names, counts, both) for key, value in dimension_share(name, count, len(ends), p).items()}
-
-
-def rank_sum_p(first, second):
-    return rank_sum(first, second).p
-
-
-def tested(test, first, second):
-    """A p, or nothing of one trial: whatever it did, p would be 1."""
-    return test(first, second) if len(first) > 1 else None
+    counts = [sum(abs(end - 2.0) < 1e-9 for end in ends), sum(2.5 < end < 2.7 for end in ends)]
+    counts.append(len(ends) - sum(counts))
+    for name, count in zip(names, counts):
+        found = share(count, len(ends))
+        row |= {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high}
+    p = freeman_halton(counts, PAPER_DIMENSIONS)
+    return row | {"dimension_p_paper": p, "dimension_outcome": "differs" if tells_apart(p) else "open"}
 
 
 def statistics(arms):
@@ -171,27 +136,28 @@ def statistics(arms):
                      "first": first.value, "first_low": first.low, "first_high": first.high,
                      "last": last.value, "last_low": last.low, "last_high": last.high,
                      "gain": gain.value, "gain_low": gain.low, "gain_high": gain.high, "gain_outcome": OUTCOMES[verdict(gain, 0.0)],
-                     "p_first_last": tested(signed_rank, lasts, firsts), "p_first_last_rank_sum": tested(rank_sum_p, lasts, firsts),
+                     "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                      "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}",
                      "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
                      "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)],
-                     "p_scales": tested(signed_rank, smaller, larger), "p_scales_rank_sum": tested(rank_sum_p, smaller, larger)} | random_best(arm, trials)
-                    | dimensions_of(arm, trials))
+                     "p_scales": signed_rank(smaller, larger), "p_scales_rank_sum": rank_sum(smaller, larger)} | dimensions_of(arm, trials))
     return rows
 
 
 def comparisons(arms):
     rows = []
-    for first, second in COMPARISONS:
-        if first not in arms or second not in arms:
+    for names in COMPARISONS:
+        if not set(names) <= set(arms):
             continue
-        shared = min(len(arms[arm][0].best) for arm in (first, second)) - 1
-        ends = [[trial.best[shared] for trial in arms[arm]] for arm in (first, second)]
-        test = rank_sum(*ends)
-        rows.append({"arms": f"{first} and {second}", "trials": len(ends[0]), "other_trials": len(ends[1]), "generations": shared, "p": test.p,
-                     "larger": test.larger.value, "larger_low": test.larger.low, "larger_high": test.larger.high,
-                     "larger_outcome": OUTCOMES[verdict(test.larger, 0.5)],
-                     "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))})
+        one, other = (arms[name] for name in names)
+        shared = min(len(trials[0].best) for trials in (one, other)) - 1
+        ends = [[trial.best[shared] for trial in trials] for trials in (one, other)]
+        are_pairs = [trial.seed for trial in one] == [trial.seed for trial in other]
+        larger = share_of_larger_pairs(*ends) if are_pairs else share_of_larger(*ends)
+        p = signed_rank(*ends) if are_pairs else rank_sum(*ends)
+        rows.append({"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": shared,
+                     "test": "signed rank" if are_pairs else "rank sum", "p": p, "larger": larger.value, "larger_low": larger.low, "larger_high": larger.high,
+                     "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))})
     return rows
 
 
@@ -263,16 +229,15 @@ def draw(arms):
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
     longest = [f"{name}_longer" if f"{name}_longer" in arms else name for name in ARMS if name in arms]
-    by_scale = [arm for arm in longest if not DRAWN[arm].falls_apart]
     with_dimension = next((arm for arm in longest if DRAWN[arm].is_fractal), None)
-    rows = -(-len(by_scale) // 2)
+    rows = -(-len(longest) // 2)
     heights = [1.9, 0.6 + 0.34 * len(arms), *[1.9] * rows, *[2.3] * bool(with_dimension)]
     figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
     grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
     panels = [(figure.add_subplot(grid[0, :]), "best robot"), (figure.add_subplot(grid[1, :]), "every trial at the end (line: median)")]
     draw_fitness(panels[0][0], arms)
     draw_ends(panels[1][0], arms)
-    for place, arm in enumerate(by_scale):
+    for place, arm in enumerate(longest):
         panel = figure.add_subplot(grid[2 + place // 2, place % 2])
         panels.append((panel, f"{DRAWN[arm].label} (n = {len(arms[arm])})"))
         draw_scales(panel, arms[arm])

@@ -3,8 +3,9 @@
 
 changed_walks.py similar FOLDER      writes scenes of the champions of two scales at larger scales, each with the weight, the stiffness, or
                                      both that make it as heavy and as stiff for its size as at the scale before
-changed_walks.py balanced FOLDER     writes scenes of all champions at the two smallest scales: as they are, with half the time step, and
-                                     with beams whose moments balance their forces, which champions of some searches have already
+changed_walks.py balanced FOLDER     writes scenes of all champions, those of ../phase_wave and ../single_actuator, too, at the two smallest
+                                     scales: as they are, with half the time step, and with beams whose moments balance their forces,
+                                     which champions of some searches have already
 changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
 changed_walks.py summary             makes similar_statistics.csv and balanced_statistics.csv of the tables that there are
 
@@ -21,13 +22,17 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
-from sample_statistics import median, share, signed_rank  # noqa: E402
-from scale_invariance import (ALL_EVOLVED, CELL_EDGE_M, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths, outcome,  # noqa: E402
-                              robots, same_way)
+from sample_statistics import mcnemar, median, share, signed_rank  # noqa: E402
+from scale_invariance import (ALL_EVOLVED, CELL_EDGE_M, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths,  # noqa: E402
+                              carries_over, outcome, robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 
 COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
-SEARCH_STUDY = HERE.parent / "fractal" / "two_scales.toml"
+ONE_MATERIAL = {"phase_wave": "one material, a wave", "single_actuator": "one material, in phase"}  # searches of other experiments at two scales
+SEARCH_STUDIES = {"one_scale": HERE / "one_scale.toml", "two_scales": HERE.parent / "fractal" / "two_scales.toml",
+                  "three_scales": HERE.parent / "fractal" / "single_precision.toml", "one_scale_balanced": HERE / "one_scale_balanced.toml",
+                  "two_scales_balanced": HERE.parent / "fractal" / "two_scales_balanced.toml"} | {name: HERE.parent / name / "two_scales.toml" for name in ONE_MATERIAL}
+PHYSICS = ("loads", "ground", "materials", "damping", "drive", "collisions", "limits", "integration")
 PRESET = HERE.parent / "presets" / "paper.toml"
 # A body three times as long that moves as often has three times the accelerations. It is as heavy beside them with three times the
 # gravity, and as stiff with nine times the modulus: stress is modulus times strain, and density times acceleration times length.
@@ -44,17 +49,20 @@ def champions(*groups):
     return [row for row in robots() if row["group"] in groups]
 
 
+def champions_of_one_material():
+    for group in ONE_MATERIAL:
+        file = HERE.parent / group / "champions.csv"
+        for row in read_table(file) if file.exists() else []:
+            if row["study"] == SEARCH_STUDIES[group].stem:
+                yield {"group": group, "seed": row["seed"], "phenotype": row["digits"]}
+
+
 def scene(robot, level, changes):
-    """A scene with the physics of the search but for what is changed: the preset "paper" with the search's own integration and beams.
+    """A scene with the physics of the search but for what is changed.
 
     @param changes {table: {key: number or word}}"""
-    preset = read_toml(PRESET)
-    tables = {name: dict(preset[name]) for name in ("loads", "ground", "materials", "damping", "drive", "collisions", "limits")}
-    tables["integration"] = preset["integration"] | read_toml(SEARCH_STUDY)["integration"]
-    if robot["group"] in EVOLVED_BALANCED:
-        tables["materials"] |= BALANCED["balanced"]["materials"]
-    for table, keys in changes.items():
-        tables[table] |= keys
+    preset, study = read_toml(PRESET), read_toml(SEARCH_STUDIES[robot["group"]])
+    tables = {name: preset[name] | study.get(name, {}) | changes.get(name, {}) for name in PHYSICS}
     design = {"name": f"champion_{robot['group']}_{robot['seed']}", "cell_edge_m": CELL_EDGE_M, "cells": [3, 3, 3], "digits": robot["phenotype"], "level": level}
     time = {"duration_s": preset["time"]["duration_s"], "record_interval_s": 0.2}
     return toml_text({"design": design, "time": time, "output": {"frames": False, "pictures": False}} | tables)
@@ -84,7 +92,7 @@ def similar_scenes(folder):
 
 
 def balanced_scenes(folder):
-    for robot in champions(*ALL_EVOLVED):
+    for robot in [*champions(*ALL_EVOLVED), *champions_of_one_material()]:
         for level in BALANCED_LEVELS:
             for change, changes in BALANCED.items():
                 if change == "balanced" and robot["group"] in EVOLVED_BALANCED:
@@ -123,38 +131,49 @@ def pairs_of(walks, first, second):
 
 
 def similar_statistics():
-    """Whether champions carry over to the next scale where weight and stiffness are those of a body of its size."""
+    """Whether champions carry over to the next scale where weight and stiffness are those of a body of its size, and whether that differs
+    from the same champions as they are there."""
     walks = walks_of("similar")
     rows = []
     for upper in LEVELS[1:]:
+        before, plain = (upper - 1, "as_it_is"), (upper, "as_it_is")
         for change, label in SIMILAR_LABELS.items():
-            if pairs := pairs_of(walks.values(), (upper - 1, "as_it_is"), (upper, change)):
+            if pairs := pairs_of(walks.values(), before, (upper, change)):
                 about = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
-                rows.append(about | outcome(*pairs))
+                with_plain = [found for found in walks.values() if plain in found and (upper, change) in found]
+                of_both = [pairs_of(with_plain, before, walk) for walk in (plain, (upper, change))]
+                rows.append(about | outcome(*pairs) | (against_plain(*of_both) if change != "as_it_is" and of_both[0] else {"p_carried_over": None, "p_speed": None}))
     return rows
+
+
+def against_plain(plain, changed):
+    """p of the same robots with a change and without: McNemar's test of who carries over, and the signed rank of how fast they are."""
+    found = [angle_and_factor(*pairs) for pairs in (plain, changed)]
+    return {"p_carried_over": mcnemar(*(carries_over(*one) for one in found)), "p_speed": signed_rank(*(factor for _, factor in found))}
 
 
 def balanced_statistics():
     """What is left of the speed of champions at the same scale where the moments of beams balance their forces, and with half the step."""
     walks = walks_of("balanced")
     rows = []
-    for group in ALL_EVOLVED:
+    for group in [*ALL_EVOLVED, *ONE_MATERIAL]:
         of_group = [found for (name, _), found in walks.items() if name == group]
         for level in BALANCED_LEVELS:
             for change, label in BALANCED_LABELS.items():
                 if pairs := pairs_of(of_group, (level, "as_it_is"), (level, change)):
-                    about = {"group": group, "change": change, "level": level, "cells_per_side": 3**level, "label": GROUPS[group], "changed": label}
+                    about = {"group": group, "change": change, "level": level, "cells_per_side": 3**level, "label": (GROUPS | ONE_MATERIAL)[group], "changed": label}
                     rows.append(about | kept(*pairs, level))
     return rows
 
 
 def kept(before_m, after_m, level):
-    """How fast robots are before and after a change, how many keep half of their speed, and how many their way."""
+    """How fast robots are before and after a change, the one that is fastest before it, too; how many keep half of their speed, and how many
+    their way."""
     before, after = body_lengths(before_m, level), body_lengths(after_m, level)
     ratio = median(after / before)
     keep = share(int(np.sum(after >= LEAST_SHARE * before)), len(before))
     row = {"robots": len(before), "before_per_minute": float(np.median(before)) * PER_MINUTE, "after_per_minute": float(np.median(after)) * PER_MINUTE,
-           "fastest_before_per_minute": float(before.max()) * PER_MINUTE, "fastest_after_per_minute": float(after.max()) * PER_MINUTE,
+           "fastest_before_per_minute": float(before.max()) * PER_MINUTE, "fastest_after_per_minute": float(after[before.argmax()]) * PER_MINUTE,
            "ratio": ratio.value, "ratio_low": ratio.low, "ratio_high": ratio.high, "p": signed_rank(before, after)}
     turned = share(int(same_way(*angle_and_factor(before_m, after_m)).sum()), len(before))
     for name, found in (("keep_half", keep), ("same_way", turned)):

@@ -4,8 +4,8 @@
 scale_invariance.py random INDIVIDUALS.csv           puts the random robots into robots.csv, of what menger export wrote
 scale_invariance.py random_balanced INDIVIDUALS.csv  the same of random robots with beams whose moments balance their forces
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
-scale_invariance.py summary                          makes statistics.csv, comparisons.csv, dimension.csv, dimension_tests.csv and
-                                                     scale_invariance.svg
+scale_invariance.py summary                          makes statistics.csv, slowest.csv, comparisons.csv, dimension.csv, dimension_tests.csv
+                                                     and scale_invariance.svg
 
 changed_walks.py has the walks of champions with something changed.
 
@@ -24,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import LARGEST_P, OUTCOMES, difference_of_shares, fisher, median, rank_sum, share, signed_rank, spearman, verdict  # noqa: E402
+from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, pairing, rank_sum, share, signed_rank, spearman, tells_apart, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -117,6 +117,11 @@ def that_move(rows, lower, upper):
     return [row for row, is_there in zip(rows, there) if is_there]
 
 
+def ended(rows, lower, upper):
+    """How many robots end their walks at both levels."""
+    return int(np.sum(~np.isnan(np.hstack([ends(rows, level) for level in (lower, upper)])).any(axis=1)))
+
+
 def moving(rows, lower, upper):
     """Their ends at two levels."""
     there = that_move(rows, lower, upper) if rows else []
@@ -138,12 +143,17 @@ def carries_over(angle_deg, factor):
 MEASURES = {"carried_over": carries_over, "same_way": same_way, "like_speed": like_speed}
 
 
-def by_chance(lower_m, upper_m):
-    """The shares where each robot is compared with every other one of its group."""
+def of_all_pairs(lower_m, upper_m):
+    """Each measure of the way of every robot (row) at the lower level with that of every one (column) at the upper one."""
     lower, upper = (index.ravel() for index in np.indices((len(lower_m), len(upper_m))))
-    others = lower != upper
-    found = angle_and_factor(lower_m[lower[others]], upper_m[upper[others]])
-    return {name: float(np.mean(measure(*found))) for name, measure in MEASURES.items()}
+    found = angle_and_factor(lower_m[lower], upper_m[upper])
+    return {name: measure(*found).reshape(len(lower_m), len(upper_m)) for name, measure in MEASURES.items()}
+
+
+def by_chance(lower_m, upper_m):
+    """The shares where the way of each robot at the lower level is paired with that of every other one at the upper level."""
+    others = ~np.eye(len(lower_m), dtype=bool)
+    return {name: float(np.mean(found[others])) for name, found in of_all_pairs(lower_m, upper_m).items()}
 
 
 def body_lengths(ends_m, level):
@@ -191,7 +201,7 @@ def with_fastest(every):
     for group, rows in every.items():
         made[group] = (GROUPS[group], rows)
         if group in FAMILIES:
-            made |= {f"{group}_{count}": (f"the fastest {count} of these", chosen) for count in FASTEST if (chosen := fastest(rows, count))}
+            made |= {f"{group}_{count}": (f"the fastest {count} {GROUPS[group]}", chosen) for count in FASTEST if (chosen := fastest(rows, count))}
     return made
 
 
@@ -216,21 +226,39 @@ def which_is_slower(rows, lower, upper):
                               "p_scales", "p_scales_rank_sum", "smaller_per_minute", "larger_per_minute", "larger_per_minute_low", "larger_per_minute_high"))
     slower = share(int(np.sum(large < small)), len(small))
     there = median(large * PER_MINUTE)
+    p = rank_sum(small, large)
     return {"moving_at_either": len(small), "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
-            "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(small, large), "p_scales_rank_sum": rank_sum(small, large).p,
+            "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(small, large), "p_scales_rank_sum": p,
+            "no_difference_outcome": "not reproduced" if tells_apart(p) else "open",
             "smaller_per_minute": float(np.median(small)) * PER_MINUTE, "larger_per_minute": there.value, "larger_per_minute_low": there.low,
             "larger_per_minute_high": there.high}
+
+
+def largest_is_the_slowest(sets):
+    """Of the robots of each group that end their walks at all three levels, and move at one of them at least: how many are slowest at the
+    largest one."""
+    made = []
+    for group, (label, rows) in sets.items():
+        speeds = np.array([body_lengths(ends(rows, level), level) for level in LEVELS])
+        speeds = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax.reduce(speeds) >= LEAST_BODY_LENGTHS)]
+        if speeds.shape[1]:
+            slowest = share(int(np.sum(speeds[-1] < speeds[:-1].min(axis=0))), speeds.shape[1])
+            made.append({"group": group, "label": label, "robots": speeds.shape[1], "largest_is_slowest": cell(slowest.value),
+                         "largest_is_slowest_low": cell(slowest.low), "largest_is_slowest_high": cell(slowest.high),
+                         "largest_is_slowest_outcome": OUTCOMES[verdict(slowest, 0.5)]})
+    return made
 
 
 def statistics_of(group, label, rows, lower, upper):
     lower_m, upper_m = moving(rows, lower, upper)
     if len(lower_m) == 0:
         return None
-    row = {"group": group, "label": label, "levels": f"{lower} to {upper}", "cells": f"{3**lower} to {3**upper}"} | outcome(lower_m, upper_m)
+    row = {"group": group, "levels": f"{lower} to {upper}", "label": label, "cells": f"{3**lower} to {3**upper}", "ended": ended(rows, lower, upper)} | outcome(lower_m, upper_m)
     chance = by_chance(lower_m, upper_m) if len(lower_m) > 1 else dict.fromkeys(MEASURES)
     speeds = fitness(that_move(rows, lower, upper))
     row["fitness_per_minute"] = float(np.nanmedian(speeds)) * PER_MINUTE if np.isfinite(speeds).any() else None
-    row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"]}
+    row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"],
+            "p_by_chance": pairing(of_all_pairs(lower_m, upper_m)["carried_over"])}
     row |= which_is_slower(rows, lower, upper)
     return {key: cell(value) for key, value in row.items()}
 
@@ -260,7 +288,7 @@ def comparisons_within(sets, evolved):
                     more = difference_of_shares(*counts)
                     p = fisher(*counts)
                     row |= {f"p_{name}": p, f"more_{name}": more.value, f"more_{name}_low": more.low, f"more_{name}_high": more.high,
-                            f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0) if p < LARGEST_P else "open"]}
+                            f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0) if tells_apart(p) else "open"]}
                 row["as_fit_as_the_slowest"] = int(np.sum(fitness(sets[other][1]) >= slowest))
                 rows.append({key: cell(value) for key, value in row.items()})
     return rows
@@ -277,7 +305,7 @@ def by_dimension(rows, lower, upper):
         inside = [row for row in rows if low <= dimension(row) < high]
         found = statistics_of("random", GROUPS["random"], inside, lower, upper) if inside else None
         if found:
-            made.append({"dimension_from": f"{low:g}", "dimension_to": f"{min(3.0, high):g}"} | {key: value for key, value in found.items() if key not in ("group", "label")})
+            made.append({"dimension_from": f"{low:g}", "dimension_to": f"{min(3.0, high):g}"} | {key: value for key, value in found.items() if key not in ("group", "label", "ended")})
     return made
 
 
@@ -304,6 +332,8 @@ def summary():
     if not rows:
         raise InputError(f"{HERE / 'robots.csv'}: has no robot with two levels")
     write_table(HERE / "statistics.csv", list(rows[0]), rows)
+    if slowest := largest_is_the_slowest(sets):
+        write_table(HERE / "slowest.csv", list(slowest[0]), slowest)
     if compared := comparisons(every):
         write_table(HERE / "comparisons.csv", list(compared[0]), compared)
     if tests := dimension_tests(every.get("random", [])):
@@ -314,11 +344,11 @@ def summary():
     draw(every, rows, dimensions)
 
 
-STYLES = (("#888888", ".", 9), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
+STYLES = (("#666666", ".", 12), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
 
 
 def draw_robots(panel, every, family):
-    """Angle and factor of every robot of a family from 3 to 9 cells."""
+    """Angle and factor of every robot of a family from 3 to 9 cells. Returns the largest factor up or down."""
     reach = 1.0
     for group, (colour, mark, size) in zip((family, *FAMILIES[family]), STYLES):
         lower_m, upper_m = moving(every.get(group, []), 1, 2)
@@ -333,13 +363,14 @@ def draw_robots(panel, every, family):
     low, high = 1.0 / LARGEST_FACTOR, LARGEST_FACTOR
     panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1)
     panel.annotate("carries over", (LARGEST_ANGLE_DEG - 1, high * 1.1), ha="right", va="bottom")
-    panel.set(yscale="log", ylim=(0.7 / reach, 1.4 * reach), xlim=(-3, 183), xticks=range(0, 181, 45), xlabel="angle between the ways at 3 and 9 cells (degrees)",
+    panel.set(yscale="log", xlim=(-3, 183), xticks=range(0, 181, 45), xlabel="angle between the ways at 3 and 9 cells (degrees)",
               ylabel="speed in body lengths at 9 cells\nper side over that at 3 (ratio)")
     panel.legend(loc="upper left", bbox_to_anchor=(0.0, 1.0), framealpha=0.9)
+    return reach
 
 
 def draw_shares(panel, rows, names, positions):
-    """Three shares of each row with intervals, and a cross for what chance gives. The longer axis of the panel is that of the shares."""
+    """Three shares of each row with intervals, and a cross for what chance gives."""
     styles = {"carried_over": ("#0072B2", "o", "both: carries over"), "same_way": ("#D55E00", "D", "the same way"), "like_speed": ("#009E73", "s", "half to twice as fast")}
     chance_of = {"carried_over": "by_chance", "same_way": "same_way_by_chance", "like_speed": "like_speed_by_chance"}
     for shift, (name, (colour, mark, label)) in zip((-0.22, 0.0, 0.22), styles.items()):
@@ -359,20 +390,23 @@ def draw(every, rows, dimensions):
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
     dimensions = [row for row in dimensions if int(row["robots"]) >= FEWEST_DRAWN]
-    families = [family for family in FAMILIES if family in every]
-    heights = (*[2.9] * len(families), 0.9 + 0.36 * len(rows), 0.9 + 0.36 * len(dimensions))
-    figure, axes = pyplot.subplots(len(heights), 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights)
-    for panel, family in zip(axes, families):
-        draw_robots(panel, every, family)
-    draw_shares(axes[-2], rows, [f"{row['label']},\n{row['cells']} cells (n = {row['robots']})" for row in rows], range(len(rows)))
-    axes[-2].legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / heights[-2]), ncols=4)
-    names = [f"H from {row['dimension_from']} to {row['dimension_to']},\n{row['cells']} cells (n = {row['robots']})" for row in dimensions]
-    if dimensions:
-        draw_shares(axes[-1], dimensions, names, range(len(dimensions)))
-        axes[-1].legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / heights[-1]), ncols=4)
-    about = {"random": "robots from 3 to 9 cells per side", "random_balanced": f"the same {BALANCED}"}
-    titles = [*(about[family] for family in families), "how many do the same at the next scale", "random robots by their Hausdorff dimension H"]
-    for panel, letter, title in zip(axes, ascii_lowercase, titles):
+    simulators = {"random": "paper's simulator", "random_balanced": "balanced beams"}
+    clouds = [family for family in FAMILIES if family in every]
+    shares = [([row for row in rows if (BALANCED in row["label"]) == (family == "random_balanced")], f"how many do the same at the next scale, {name}")
+              for family, name in simulators.items()] + [(dimensions, "random robots by their Hausdorff dimension H, paper's simulator")]
+    shares = [(members, title) for members, title in shares if members]
+    heights = [*[2.9] * len(clouds), *(0.9 + 0.36 * len(members) for members, _ in shares)]
+    figure, axes = pyplot.subplots(len(heights), 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights, squeeze=False)
+    panels = list(axes[:, 0])
+    reach = max((draw_robots(panel, every, family) for panel, family in zip(panels, clouds)), default=1.0)
+    for panel in panels[: len(clouds)]:
+        panel.set_ylim(0.7 / reach, 1.4 * reach)
+    for panel, height, (members, _) in zip(panels[len(clouds):], heights[len(clouds):], shares):
+        names = [row["label"].removesuffix(f" {BALANCED}") if "label" in row else f"H from {row['dimension_from']} to {row['dimension_to']}" for row in members]
+        draw_shares(panel, members, [f"{name},\n{row['cells']} cells (n = {row['robots']})" for name, row in zip(names, members)], range(len(members)))
+        panel.legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / height), ncols=4)
+    titles = [*(f"robots from 3 to 9 cells per side, {simulators[family]}" for family in clouds), *(title for _, title in shares)]
+    for panel, letter, title in zip(panels, ascii_lowercase, titles):
         panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
         panel.grid(color="#dddddd")
         panel.set_axisbelow(True)

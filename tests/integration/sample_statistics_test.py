@@ -31,21 +31,39 @@ class SampleStatistics(unittest.TestCase):
         # Permeability at term and before: Hollander and Wolfe, Nonparametric Statistical Methods (1973), p. 69: one-sided p = 0.1272.
         at_term = [0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46]
         before = [1.15, 0.88, 0.90, 0.74, 1.21]
-        found = statistics.rank_sum(at_term, before)
-        self.assertAlmostEqual(found.p, 2 * 0.1272, delta=1e-4)  # the distribution is symmetric
-        self.assertAlmostEqual(found.larger.value, 35 / 50)  # the statistic W = 35 of 10 times 5 pairs
-        self.assertLess(found.larger.low, 0.7)
-        self.assertGreater(found.larger.high, 0.7)
+        self.assertAlmostEqual(statistics.rank_sum(at_term, before), 2 * 0.1272, delta=1e-4)  # the distribution is symmetric
+        larger = statistics.share_of_larger(at_term, before)
+        self.assertAlmostEqual(larger.value, 35 / 50)  # the statistic W = 35 of 10 times 5 pairs
 
     def test_rank_sum_of_samples_that_do_not_overlap(self):
         # All 10 of one side are larger: 2 of the C(25, 10) = 3268760 orders are as extreme.
-        found = statistics.rank_sum(range(100, 110), range(15))
-        self.assertAlmostEqual(found.p, 2 / 3268760, delta=1e-12)
-        self.assertEqual(found.larger.value, 1.0)
+        self.assertAlmostEqual(statistics.rank_sum(range(100, 110), range(15)), 2 / 3268760, delta=1e-12)
+        self.assertEqual(statistics.share_of_larger(range(100, 110), range(15)).value, 1.0)
 
-    def test_rank_sum_counts_ties_half(self):
-        found = statistics.rank_sum([1, 2, 2], [2, 2, 3])
-        self.assertAlmostEqual(found.larger.value, (0 + 0.5 * 4 + 0) / 9)
+    def test_share_of_larger_counts_ties_half(self):
+        self.assertAlmostEqual(statistics.share_of_larger([1, 2, 2], [2, 2, 3]).value, (0 + 0.5 * 4 + 0) / 9)
+
+    def test_share_of_larger_has_an_interval_where_samples_do_not_overlap(self):
+        # With 10 on each side and none overlapping, the lower end s solves (1 - s)^2 = 1.96^2 s (1 - s) (1 + 9 ((1 - s) / (2 - s) + s / (1 + s))) / 100.
+        found = statistics.share_of_larger(range(100, 110), range(10))
+        self.assertEqual((found.value, found.high), (1.0, 1.0))
+        s = found.low
+        self.assertAlmostEqual((1 - s) / s, 1.959964**2 * (1 + 9 * ((1 - s) / (2 - s) + s / (1 + s))) / 100, delta=1e-6)
+        mirrored = statistics.share_of_larger(range(10), range(100, 110))
+        self.assertAlmostEqual(mirrored.high, 1 - s)
+        self.assertEqual(statistics.share_of_larger([1.0], range(5)).low, None)
+
+    def test_intervals_of_share_of_larger_hold_as_often_as_they_say(self):
+        # Of 2000 pairs of normal samples of 10 and 15, whose means differ by 1: a member of the first is larger with probability Phi(1 / sqrt(2)).
+        draw = statistics.np.random.default_rng(1)
+        truth = statistics.stats.norm.cdf(1 / math.sqrt(2))
+        held = sum(found.low <= truth <= found.high for found in (statistics.share_of_larger(draw.normal(1.0, 1.0, 10), draw.normal(0.0, 1.0, 15)) for _ in range(2000)))
+        self.assertAlmostEqual(held / 2000, 0.95, delta=0.02)  # four standard deviations of such a count
+
+    def test_share_of_larger_pairs_leaves_out_equal_ones(self):
+        found = statistics.share_of_larger_pairs([1, 2, 4, 5], [2, 2, 3, 4])
+        self.assertEqual(found, statistics.share(2, 3))
+        self.assertEqual(statistics.share_of_larger_pairs([1, 2], [1, 2]), statistics.Estimate(0.5, None, None))
 
     def test_signed_rank_of_depression(self):
         # Hamilton's depression factor of nine patients before and after a tranquilizer: Hollander and Wolfe (1973), p. 29: the ranks of those
@@ -60,7 +78,7 @@ class SampleStatistics(unittest.TestCase):
         before = [float(n) for n in range(10)]
         after = [n + 0.5 + 0.01 * n for n in range(10)]
         self.assertAlmostEqual(statistics.signed_rank(after, before), 2 / 1024)
-        self.assertGreater(statistics.rank_sum(after, before).p, 0.4)
+        self.assertGreater(statistics.rank_sum(after, before), 0.4)
 
     def test_signed_rank_leaves_out_equal_pairs(self):
         self.assertEqual(statistics.signed_rank([1, 2, 3], [1, 2, 3]), 1.0)
@@ -73,6 +91,31 @@ class SampleStatistics(unittest.TestCase):
         # on one side.
         self.assertAlmostEqual(statistics.fisher(3, 4, 1, 4), 34 / 70)
         self.assertAlmostEqual(statistics.fisher(4, 4, 0, 4), 2 / 70)
+
+    def test_freeman_halton_with_two_kinds_is_fishers_test(self):
+        for counts, others in (((3, 1), (1, 3)), ((4, 0), (0, 4)), ((0, 10), (5, 5)), ((7, 2), (3, 9))):
+            self.assertAlmostEqual(statistics.freeman_halton(counts, others), statistics.fisher(counts[0], sum(counts), others[0], sum(others)))
+
+    def test_freeman_halton_counts_tables_that_are_as_improbable(self):
+        # Two of two, one, and one: of the six choices two are as improbable as both of the first kind, which is one choice, as is none.
+        self.assertAlmostEqual(statistics.freeman_halton((2, 0, 0), (0, 1, 1)), 2 / 6)
+        self.assertAlmostEqual(statistics.freeman_halton((1, 1, 0), (1, 0, 1)), 1.0)
+        # Ten of twenty, five of which are of the first kind, nine of the second: choices as probable as none of the first, four of the second.
+        ways = {(a, b): math.comb(5, a) * math.comb(9, b) * math.comb(6, 10 - a - b) for a in range(6) for b in range(10) if 0 <= 10 - a - b <= 6}
+        few = sum(number for number in ways.values() if number <= ways[0, 4])
+        self.assertAlmostEqual(statistics.freeman_halton((0, 4, 6), (5, 5, 0)), few / math.comb(20, 10))
+
+    def test_pairing_counts_permutations(self):
+        # Four members that match themselves alone: one of 24 permutations matches as often, and two-sided p is twice that.
+        self.assertAlmostEqual(statistics.pairing([[row == column for column in range(4)] for row in range(4)]), 2 / 24)
+        # All match all: any permutation matches as often.
+        self.assertEqual(statistics.pairing([[True] * 3] * 3), 1.0)
+        self.assertIsNone(statistics.pairing([[True]]))
+
+    def test_one_member_has_no_p(self):
+        self.assertIsNone(statistics.rank_sum([1.0], range(15)))
+        self.assertIsNone(statistics.signed_rank([2.0], [1.0]))
+        self.assertEqual([statistics.tells_apart(p) for p in (None, 0.049, 0.05)], [False, True, False])
 
     def test_spearman_of_tuna(self):
         # Hunter's L and panel scores of canned tuna: Hollander and Wolfe (1973), p. 185: the squares of rank differences sum to 48.
