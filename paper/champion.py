@@ -25,6 +25,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table, write_whole  # noqa: E402
 
 SIDE = 3
+MARGIN = 4.0  # of a picture
 LEVELS = (1, 2, 3)
 PAPER_DURATION_S = 5.0  # of the preset "paper"
 COLUMNS = ["study", "seed", "generations", "robot", "cells", "digits", "fitness_per_minute", "level_1_per_minute", "level_2_per_minute", "level_3_per_minute",
@@ -80,28 +81,39 @@ def shape_of(digits):
     return {"legs": len(legs), "feet": len(feet), "asymmetry": uneven, "uneven_quadruped": "yes" if is_quadruped and uneven > 0 else "no"}
 
 
-def picture(digits):
-    """The body from above its largest x and y, as an SVG."""
-    cells = cells_of(digits)
-    edge = 24.0
+def faces_of(cells, edge, left, upwards):
+    """The faces of a body that are seen from beyond its largest x and y: from above if `upwards` is 1, from below if it is -1."""
 
     def seen(x, y, z):
-        return f"{edge * (0.866 * (y - x) + 0.866 * SIDE) + 4:.1f},{edge * (0.5 * (x + y) - z + SIDE) + 4:.1f}"
+        height = upwards * 0.5 * (x + y) - z + (SIDE if upwards > 0 else 2 * SIDE)
+        return f"{left + edge * 0.866 * (y - x + SIDE):.1f},{edge * height + MARGIN:.1f}"
 
     faces = []
-    for (x, y, z), digit in sorted(cells.items(), key=lambda item: sum(item[0])):
-        top, side_x, side_y = COLOURS[digit]
+    for (x, y, z), digit in sorted(cells.items(), key=lambda item: item[0][0] + item[0][1] + upwards * item[0][2]):
+        light, medium, dark = COLOURS[digit]  # light comes from above
+        (level, side_x, side_y), flat = ((light, medium, dark), 1) if upwards > 0 else ((dark, light, medium), 0)
         for neighbour, colour, corners in (
-            ((x, y, z + 1), top, ((0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))),
+            ((x, y, z + upwards), level, ((0, 0, flat), (1, 0, flat), (1, 1, flat), (0, 1, flat))),
             ((x + 1, y, z), side_x, ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1))),
             ((x, y + 1, z), side_y, ((0, 1, 0), (1, 1, 0), (1, 1, 1), (0, 1, 1))),
         ):
             if neighbour not in cells:
                 points = " ".join(seen(x + dx, y + dy, z + dz) for dx, dy, dz in corners)
                 faces.append(f'<polygon points="{points}" fill="{colour}"/>')
-    width, height = 2 * 0.866 * SIDE * edge + 8, 2 * SIDE * edge + 8
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" stroke="#222222" stroke-linejoin="round">\n'
-            + "\n".join(faces) + "\n</svg>\n")
+    return faces
+
+
+def picture(digits):
+    """The body from above and from below, where its feet are, as an SVG."""
+    cells = cells_of(digits)
+    edge = 24.0
+    view, height = 2 * 0.866 * SIDE * edge + 2 * MARGIN, 2 * SIDE * edge + 2 * MARGIN
+    lines = []
+    for left, upwards, words in ((MARGIN, 1, "from above"), (view + MARGIN, -1, "from below")):
+        lines += faces_of(cells, edge, left, upwards)
+        lines.append(f'<text x="{left + view / 2 - MARGIN:.0f}" y="{height + 12:.0f}" font-family="sans-serif" font-size="12" text-anchor="middle" stroke="none">{words}</text>')
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * view:.0f}" height="{height + 18:.0f}" stroke="#222222" stroke-linejoin="round">\n'
+            + "\n".join(lines) + "\n</svg>\n")
 
 
 def take(folder, study, seed, table):
