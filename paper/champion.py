@@ -30,7 +30,7 @@ LEVELS = (1, 2, 3)
 PAPER_DURATION_S = 5.0  # of the preset "paper"
 COLUMNS = ["study", "seed", "generations", "robot", "cells", "digits", "fitness_per_minute", "level_1_per_minute", "level_2_per_minute", "level_3_per_minute",
            "legs", "feet", "asymmetry", "uneven_quadruped", "picture"]
-COLOURS = {"1": ("#9ad4f5", "#56b4e9", "#3a86b3"), "2": ("#f5a06a", "#d55e00", "#9c4500")}  # of the top and two sides
+COLOURS = {"1": ("#9ad4f5", "#56b4e9", "#3a86b3", "#1f4b66"), "2": ("#f5a06a", "#d55e00", "#9c4500", "#5e2900")}  # of the top, two sides, and the bottom
 
 
 def cells_of(digits):
@@ -90,8 +90,8 @@ def faces_of(cells, edge, left, upwards):
 
     faces = []
     for (x, y, z), digit in sorted(cells.items(), key=lambda item: item[0][0] + item[0][1] + upwards * item[0][2]):
-        light, medium, dark = COLOURS[digit]  # light comes from above
-        (level, side_x, side_y), flat = ((light, medium, dark), 1) if upwards > 0 else ((dark, light, medium), 0)
+        top, side_x, side_y, bottom = COLOURS[digit]
+        level, flat = (top, 1) if upwards > 0 else (bottom, 0)
         for neighbour, colour, corners in (
             ((x, y, z + upwards), level, ((0, 0, flat), (1, 0, flat), (1, 1, flat), (0, 1, flat))),
             ((x + 1, y, z), side_x, ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1))),

@@ -15,13 +15,14 @@ except ImportError as error:
     sys.exit(f"{error}: statistics of experiments need SciPy: apt-get install python3-scipy")
 
 RESAMPLES = 2000
-PAIRINGS = 9999  # drawn at random where there are more
+PAIRINGS = 99999  # drawn at random where there are more; the least p is 2e-5 then
+FEWEST = 5  # members of a sample, of fewer of which resampling makes too narrow an interval: of two it covers every other time
 SEED = 1
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number and its interval; the ends are None where the sample gives none, as if all its members are equal."""
+    """A number and its interval; the ends are None where the sample gives none, as if it has few members, or equal ones."""
 
     value: float
     low: float | None
@@ -32,7 +33,7 @@ def bootstrap(statistic, *samples, paired=False):
     """The statistic of one or more samples, with the percentiles of a bootstrap. `paired`: their members are drawn together."""
     samples = [np.asarray(sample, dtype=float) for sample in samples]
     value = float(statistic(*samples))
-    if min(len(sample) for sample in samples) < 2:
+    if min(len(sample) for sample in samples) < FEWEST:
         return Estimate(value, None, None)
     found = stats.bootstrap(samples, statistic, n_resamples=RESAMPLES, paired=paired, method="percentile",
                             random_state=np.random.default_rng(SEED)).confidence_interval
@@ -82,22 +83,22 @@ def mcnemar(before, after):
     return float(stats.binomtest(gained, gained + lost).pvalue) if gained + lost else 1.0
 
 
-def pairing(matches):
-    """p of a permutation test, two-sided: whether members match themselves more or less often than they would if they were paired at random.
-    None of one member.
+def pairing_p(matches):
+    """The two-sided p of a permutation test: whether members match themselves more or less often than they would if they were paired at
+    random. None of one member.
 
-    @param matches a square table, yes or no: whether the first side of a member (row) matches the second side of another one (column)"""
+    @param matches a square table, yes or no: whether the first side of a member (row) matches the second side of a member (column)"""
     matches = np.asarray(matches, dtype=bool)
     if len(matches) < 2:
         return None
     places = np.arange(len(matches))
-    return float(stats.permutation_test((places,), lambda order: matches[places, order.astype(int)].sum(), permutation_type="pairings", vectorized=False,
-                                        n_resamples=PAIRINGS, random_state=np.random.default_rng(SEED)).pvalue)
+    return float(stats.permutation_test((places,), lambda order, axis: matches[places, order.astype(int)].sum(axis=axis), permutation_type="pairings",
+                                        vectorized=True, batch=1000, n_resamples=PAIRINGS, random_state=np.random.default_rng(SEED)).pvalue)
 
 
 # What a verdict on something that the paper says means, if yes is its side.
 OUTCOMES = {"yes": "reproduced", "no": "not reproduced", "open": "open"}
-LARGEST_P = 0.05
+LARGEST_P = 0.05  # of a test that tells groups apart
 
 
 def tells_apart(p):
@@ -132,7 +133,7 @@ def freeman_halton(counts, others):
 
 def rank_sum(first, second):
     """The two-sided p of Wilcoxon's rank-sum test, also called Mann and Whitney's: how often samples of equal distributions differ as much.
-    None where a sample has one member: whatever it is, p would be large.
+    None where a sample has one member, which says nothing of others like it.
 
     Exact up to 25 members on a side if no two are equal, else with the normal distribution, corrected for ties."""
     if min(len(first), len(second)) < 2:
@@ -145,8 +146,9 @@ def rank_sum(first, second):
 def share_of_larger(first, second):
     """How often a member of the first sample is larger than one of the second, of all pairs of the two; ties count half.
 
-    The interval is Newcombe's (his method 5): the shares whose standard error, by the formula of Hanley and McNeil with the mean of both
-    sizes, leaves the observed share 1.96 of it away. It holds where no member of one sample is as large as one of the other, too.
+    The interval is Newcombe's (his method 5): all shares from which the observed one is at most 1.96 standard errors away, where the error
+    is that of Hanley and McNeil at this share, with the mean of both sizes. It holds where no member of one sample is as large as one of
+    the other, too.
     Source: Newcombe, Statistics in Medicine 25 (2006) 559."""
     first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
     value = float((np.sign(first[:, None] - second[None, :]) + 1.0).mean() / 2.0)
@@ -175,8 +177,8 @@ def share_of_larger_pairs(first, second):
 def signed_rank(first, second):
     """The two-sided p of Wilcoxon's signed-rank test of pairs: how often differences as large come from a distribution symmetric about 0.
 
-    None of one pair: whatever it is, p would be 1. Pairs of equal numbers are left out; where all are equal p is 1. Exact up to 50 of the others if no two differences are equally
-    large, else with the normal distribution, corrected for ties.
+    None of one pair: whatever it is, p would be 1. Pairs of equal numbers are left out; where all are equal p is 1. Exact up to 50 of the
+    others if no two differences are equally large, else with the normal distribution, corrected for ties.
     """
     differences = np.asarray(first, dtype=float) - np.asarray(second, dtype=float)
     if len(differences) < 2:

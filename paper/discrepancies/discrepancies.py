@@ -4,6 +4,7 @@
 discrepancies.py study VARIANT OUT.toml         writes the study of a variant
 discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what menger export wrote
 discrepancies.py summary                        makes the tables and discrepancies.svg of the variants that there are:
+                                                population.csv   how many robots there are, and how many of them are unlike
                                                 statistics.csv   their fitness against that of the text
                                                 changes.csv      where robots end, by scale
                                                 balanced_changes.csv  what a change does with balanced moments of beams, and what
@@ -243,8 +244,8 @@ def from_scale_to_scale(walks, lower, upper):
     """What of the paper's statements random robots show from one scale to the next.
 
     Which scale is the slower one is asked of robots that move at either of them: those that move at the smaller one were chosen
-    because they are fast there, so that by chance alone more than half of them would be slower at the larger one. The same of those
-    that move at both tells robots that are faster from robots that move at all.
+    because they are fast there, so that by chance alone more than half of them would be slower at the larger one. Of those that move at
+    both the share tells whether robots are slower, and not whether more of them stand still.
     """
     small, large = walks.body_lengths(lower), walks.body_lengths(upper)
     ended = walks.ended_at(lower) & walks.ended_at(upper)
@@ -385,7 +386,6 @@ def summary():
     if "text" not in there:
         raise InputError(f"{HERE / 'walks' / 'text.csv'}: is not there: ./run paper discrepancies text")
     text = Walks("text")
-    unlike = len({like(body) for body in text.bodies})
     compared, changed, balanced_changed, failed, concluded = [], [], [], [], []
     for name in there:
         walks = Walks(name)
@@ -400,14 +400,17 @@ def summary():
             failed += [{"variant": name} | row | {"label": about["label"]} for level in walks.levels if not walks.ended_at(level).all()
                        for row in failures(text, walks, level)]
         if name != "text":
-            compared.append({"variant": name} | about | {"unlike": unlike} | comparison(text, walks))
+            compared.append({"variant": name} | about | comparison(text, walks))
             if (other := variant(name).get("failures_of")) in there:
                 compared[-1]["failed_in_common"] = int(np.sum(~walks.ended() & ~Walks(other).ended()))
             if own:
                 changed += [{"variant": name, "level": level, "cells_per_side": cells_per_side(level)} | about | change(text, walks, level)
                             for level in walks.levels]
             balanced_changed += of_balanced(name, text, there)
-    for file, rows in (("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed), ("failures.csv", failed), ("conclusions.csv", concluded),
+    unlike = len({like(body) for body in text.bodies})
+    # Intervals take all robots as independent. Of as many groups of robots that walk alike they would be wider by the root of their mean size.
+    population = [{"population": "all", "robots": len(text.bodies), "unlike": unlike, "wider": np.sqrt(len(text.bodies) / unlike) - 1.0}]
+    for file, rows in (("population.csv", population), ("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed), ("failures.csv", failed), ("conclusions.csv", concluded),
                        ("verdicts.csv", verdicts(concluded))):
         write_rows(file, rows)
     if compared:

@@ -24,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, pairing, rank_sum, share, signed_rank, spearman, tells_apart, verdict  # noqa: E402
+from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, pairing_p, rank_sum, share, signed_rank, spearman, tells_apart, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -106,9 +106,10 @@ def ends(rows, level):
 
 
 def angle_and_factor(lower_m, upper_m):
-    """Between the ways at two levels, whose body lengths differ threefold: the angle in degrees, and how many times as fast."""
-    turn = np.degrees(np.arctan2(lower_m[:, 0] * upper_m[:, 1] - lower_m[:, 1] * upper_m[:, 0], np.sum(lower_m * upper_m, axis=1)))
-    return np.abs(turn), np.hypot(*upper_m.T) / np.hypot(*lower_m.T) / 3.0
+    """Between the ways at two levels, whose body lengths differ threefold: the angle in degrees, and how many times as fast. Who went nowhere
+    did not go the same way: the angle is 180 degrees."""
+    angle = np.abs(np.degrees(np.arctan2(lower_m[:, 0] * upper_m[:, 1] - lower_m[:, 1] * upper_m[:, 0], np.sum(lower_m * upper_m, axis=1))))
+    return np.where((lower_m == 0.0).all(axis=1) | (upper_m == 0.0).all(axis=1), 180.0, angle), np.hypot(*upper_m.T) / np.hypot(*lower_m.T) / 3.0
 
 
 def that_move(rows, lower, upper):
@@ -221,9 +222,6 @@ def which_is_slower(rows, lower, upper):
     smaller one are chosen for being fast there."""
     speeds = np.array([body_lengths(ends(rows, level), level) for level in (lower, upper)])
     small, large = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax(*speeds) >= LEAST_BODY_LENGTHS)]
-    if not len(small):
-        return dict.fromkeys(("moving_at_either", "larger_is_slower", "larger_is_slower_low", "larger_is_slower_high", "larger_is_slower_outcome",
-                              "p_scales", "p_scales_rank_sum", "smaller_per_minute", "larger_per_minute", "larger_per_minute_low", "larger_per_minute_high"))
     slower = share(int(np.sum(large < small)), len(small))
     there = median(large * PER_MINUTE)
     p = rank_sum(small, large)
@@ -244,8 +242,7 @@ def largest_is_the_slowest(sets):
         if speeds.shape[1]:
             slowest = share(int(np.sum(speeds[-1] < speeds[:-1].min(axis=0))), speeds.shape[1])
             made.append({"group": group, "label": label, "robots": speeds.shape[1], "largest_is_slowest": cell(slowest.value),
-                         "largest_is_slowest_low": cell(slowest.low), "largest_is_slowest_high": cell(slowest.high),
-                         "largest_is_slowest_outcome": OUTCOMES[verdict(slowest, 0.5)]})
+                         "largest_is_slowest_low": cell(slowest.low), "largest_is_slowest_high": cell(slowest.high)})
     return made
 
 
@@ -258,7 +255,7 @@ def statistics_of(group, label, rows, lower, upper):
     speeds = fitness(that_move(rows, lower, upper))
     row["fitness_per_minute"] = float(np.nanmedian(speeds)) * PER_MINUTE if np.isfinite(speeds).any() else None
     row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"],
-            "p_by_chance": pairing(of_all_pairs(lower_m, upper_m)["carried_over"])}
+            "p_by_chance": pairing_p(of_all_pairs(lower_m, upper_m)["carried_over"])}
     row |= which_is_slower(rows, lower, upper)
     return {key: cell(value) for key, value in row.items()}
 
@@ -392,7 +389,8 @@ def draw(every, rows, dimensions):
     dimensions = [row for row in dimensions if int(row["robots"]) >= FEWEST_DRAWN]
     simulators = {"random": "paper's simulator", "random_balanced": "balanced beams"}
     clouds = [family for family in FAMILIES if family in every]
-    shares = [([row for row in rows if (BALANCED in row["label"]) == (family == "random_balanced")], f"how many do the same at the next scale, {name}")
+    of_family = {family: {family, *evolved, *(f"{family}_{count}" for count in FASTEST)} for family, evolved in FAMILIES.items()}
+    shares = [([row for row in rows if row["group"] in of_family[family]], f"how many do the same at the next scale, {name}")
               for family, name in simulators.items()] + [(dimensions, "random robots by their Hausdorff dimension H, paper's simulator")]
     shares = [(members, title) for members, title in shares if members]
     heights = [*[2.9] * len(clouds), *(0.9 + 0.36 * len(members) for members, _ in shares)]
@@ -402,7 +400,7 @@ def draw(every, rows, dimensions):
     for panel in panels[: len(clouds)]:
         panel.set_ylim(0.7 / reach, 1.4 * reach)
     for panel, height, (members, _) in zip(panels[len(clouds):], heights[len(clouds):], shares):
-        names = [row["label"].removesuffix(f" {BALANCED}") if "label" in row else f"H from {row['dimension_from']} to {row['dimension_to']}" for row in members]
+        names = [f"H from {row['dimension_from']} to {row['dimension_to']}" if members is dimensions else row["label"].removesuffix(f" {BALANCED}") for row in members]
         draw_shares(panel, members, [f"{name},\n{row['cells']} cells (n = {row['robots']})" for name, row in zip(names, members)], range(len(members)))
         panel.legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / height), ncols=4)
     titles = [*(f"robots from 3 to 9 cells per side, {simulators[family]}" for family in clouds), *(title for _, title in shares)]

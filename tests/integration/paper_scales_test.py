@@ -481,7 +481,7 @@ class ScaleInvariance(Case):
         self.champions([["random", n, body(n), *walk] for n, walk in enumerate(ends)])
         self.done(self.script, "summary")
         (row,) = table_of(self.tree / "paper/scale_invariance/slowest.csv")
-        self.assertEqual([row[name] for name in ("group", "robots", "largest_is_slowest", "largest_is_slowest_outcome")], ["random", "3", "0.3333", "open"])
+        self.assertEqual([row[name] for name in ("group", "robots", "largest_is_slowest")], ["random", "3", "0.3333"])
 
     def test_a_random_robot_that_is_a_champion_counts_once(self):
         walks = [0.03, 0.0, 0.09, 0.0, "", ""]
@@ -560,6 +560,8 @@ class ScaleInvariance(Case):
         lower, plain, changed = (script.np.array([[way, 0.0] for way in ways]) for ways in ([0.03] * 6, [0.001] * 6, [0.09 + 0.001 * n for n in range(6)]))
         found = script.against_plain((lower, plain), (lower, changed))
         self.assertEqual((found["p_carried_over"], found["p_speed"]), (2 / 64, 2 / 64))
+        # A walk that failed went nowhere, and so not the same way.
+        self.assertEqual(script.kept(lower, 0.0 * lower, 1)["same_way"], 0.0)
         # The robot that is fastest before a change is not the one that is fastest after it.
         row = script.kept(script.np.array([[0.3, 0.0], [0.03, 0.0]]), script.np.array([[0.003, 0.0], [0.06, 0.0]]), 1)
         self.assertAlmostEqual(row["fastest_after_per_minute"], 12 * 0.1)
@@ -726,6 +728,8 @@ class Trials(Case):
         for name in ("fractal/two_scales", "scale_invariance/one_scale", "scale_invariance/random"):
             plain, balanced = (tomllib.loads((SOURCES / f"paper/{name}{end}.toml").read_text()) for end in ("", "_balanced"))
             self.assertEqual(balanced.pop("materials"), {"beam_moments": "balanced"}, name)
+            for study in (plain, balanced):
+                study.pop("generations")  # as many as were run so far
             self.assertEqual(balanced, plain, name)
 
     def test_generations_count_that_all_trials_have(self):
@@ -770,12 +774,15 @@ class Trials(Case):
         self.assertAlmostEqual(float(drawn["p"]), 2 / math.comb(13, 3), delta=1e-5)
 
     def test_an_arm_is_better_only_if_its_test_agrees(self):
-        for seed in range(1, 11):
+        # Both of two are larger than all of six: the interval ends just above a half, and 2 of the C(8, 2) = 28 orders are as extreme.
+        for seed in (1, 2):
             self.trial("fractal/two_scales", seed, 1.0 + 0.01 * seed)
-        self.trial("fractal/random_search", 2001, 0.5)
+        for seed in range(2001, 2007):
+            self.trial("fractal/random_search", seed, 0.0001 * seed)
         self.done(self.script)
         (drawn,) = table_of(self.tree / "paper/fractal/comparisons.csv")
-        self.assertEqual((drawn["larger"], drawn["p"], drawn["larger_outcome"]), ("1", "", "open"), "one trial tells nothing")
+        self.assertGreater(float(drawn["larger_low"]), 0.5)
+        self.assertEqual((drawn["p"], drawn["larger_outcome"]), (f"{2 / 28:.4g}", "open"))
 
     def test_random_search_differs_from_evolution_in_its_population_alone(self):
         evolution, drawn = (tomllib.loads((SOURCES / f"paper/fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))

@@ -362,10 +362,10 @@ class Champion(PaperTest):
         self.assertEqual(header.split(",")[:6], ["study", "seed", "generations", "robot", "cells", "digits"])
         self.assertEqual(row, "small,2,1,9,16,102000001102000201112111211,12,18,12,,4,3,0.0625,yes,champions_small_2.svg")
         drawn = self.text("paper/evolved/champions_small_2.svg")
-        # From above the light faces are tops, from below those towards larger x.
-        of_cells = {(n % 3, n // 3 % 3, n // 9): digit for n, digit in enumerate("102000001102000201112111211") if digit != "0"}
-        free = [sum(digit == "1" and (x + dx, y, z + dz) not in of_cells for (x, y, z), digit in of_cells.items()) for dx, dz in ((0, 1), (1, 0))]
-        self.assertEqual(drawn.count("#9ad4f5"), sum(free))
+        self.assertEqual(drawn.count("#9ad4f5"), 7, "the tops of material 1 that can be seen")
+        # From below: three cells of material 1 on the ground, and those of the layers above with nothing beneath.
+        cells = "102000001102000201112111211"
+        self.assertEqual(drawn.count("#1f4b66"), sum(cells[n] == "1" and (n < 9 or cells[n - 9] == "0") for n in range(27)))
         self.assertIn(">from below</text>", drawn)
         self.assertLess(len(drawn), 10000)
 

@@ -3,7 +3,9 @@
 sample_statistics_test.py SOURCES: the folder of the sources. Exit code 77: there is no SciPy.
 """
 
+import collections
 import importlib.util
+import itertools
 import math
 import pathlib
 import sys
@@ -44,11 +46,15 @@ class SampleStatistics(unittest.TestCase):
         self.assertAlmostEqual(statistics.share_of_larger([1, 2, 2], [2, 2, 3]).value, (0 + 0.5 * 4 + 0) / 9)
 
     def test_share_of_larger_has_an_interval_where_samples_do_not_overlap(self):
-        # With 10 on each side and none overlapping, the lower end s solves (1 - s)^2 = 1.96^2 s (1 - s) (1 + 9 ((1 - s) / (2 - s) + s / (1 + s))) / 100.
+        # None of 10 and 10 overlap: (1 - s) / s = 1.96^2 (1 + 9 ((1 - s) / (2 - s) + s / (1 + s))) / 100 at the lower end s = 0.8256...
         found = statistics.share_of_larger(range(100, 110), range(10))
         self.assertEqual((found.value, found.high), (1.0, 1.0))
         s = found.low
         self.assertAlmostEqual((1 - s) / s, 1.959964**2 * (1 + 9 * ((1 - s) / (2 - s) + s / (1 + s))) / 100, delta=1e-6)
+        # Of 10 and 5 the mean of both sizes less one, 6.5, is in the error: found on a grid of shares.
+        unequal = statistics.share_of_larger([0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46], [1.15, 0.88, 0.90, 0.74, 1.21])
+        self.assertAlmostEqual(unequal.low, 0.3893, delta=1e-4)
+        self.assertAlmostEqual(unequal.high, 0.8890, delta=1e-4)
         mirrored = statistics.share_of_larger(range(10), range(100, 110))
         self.assertAlmostEqual(mirrored.high, 1 - s)
         self.assertEqual(statistics.share_of_larger([1.0], range(5)).low, None)
@@ -100,17 +106,25 @@ class SampleStatistics(unittest.TestCase):
         # Two of two, one, and one: of the six choices two are as improbable as both of the first kind, which is one choice, as is none.
         self.assertAlmostEqual(statistics.freeman_halton((2, 0, 0), (0, 1, 1)), 2 / 6)
         self.assertAlmostEqual(statistics.freeman_halton((1, 1, 0), (1, 0, 1)), 1.0)
-        # Ten of twenty, five of which are of the first kind, nine of the second: choices as probable as none of the first, four of the second.
-        ways = {(a, b): math.comb(5, a) * math.comb(9, b) * math.comb(6, 10 - a - b) for a in range(6) for b in range(10) if 0 <= 10 - a - b <= 6}
-        few = sum(number for number in ways.values() if number <= ways[0, 4])
-        self.assertAlmostEqual(statistics.freeman_halton((0, 4, 6), (5, 5, 0)), few / math.comb(20, 10))
+        # Ten of twenty, of which five are of the first kind and nine of the second, all choices counted one by one: none of the first and four
+        # of the second kind have C(9, 4) C(6, 6) = 126 of them.
+        choices = [(sum(n < 5 for n in chosen), sum(5 <= n < 14 for n in chosen)) for chosen in itertools.combinations(range(20), 10)]
+        often = collections.Counter(choices)
+        self.assertEqual(often[0, 4], 126)
+        self.assertAlmostEqual(statistics.freeman_halton((0, 4, 6), (5, 5, 0)), sum(count for count in often.values() if count <= 126) / 184756)
 
     def test_pairing_counts_permutations(self):
         # Four members that match themselves alone: one of 24 permutations matches as often, and two-sided p is twice that.
-        self.assertAlmostEqual(statistics.pairing([[row == column for column in range(4)] for row in range(4)]), 2 / 24)
+        self.assertAlmostEqual(statistics.pairing_p([[row == column for column in range(4)] for row in range(4)]), 2 / 24)
         # All match all: any permutation matches as often.
-        self.assertEqual(statistics.pairing([[True] * 3] * 3), 1.0)
-        self.assertIsNone(statistics.pairing([[True]]))
+        self.assertEqual(statistics.pairing_p([[True] * 3] * 3), 1.0)
+        self.assertIsNone(statistics.pairing_p([[True]]))
+        # Twelve members have too many permutations to list. Each matches itself and the next one: of all permutations only two match
+        # everywhere, so that none that is drawn does, and p is the least that there is.
+        ring = [[column in (row, (row + 1) % 12) for column in range(12)] for row in range(12)]
+        self.assertEqual(statistics.pairing_p(ring), 2 / 100000)
+        # Half of the members match all, the others none: whatever the pairs, as many match.
+        self.assertEqual(statistics.pairing_p([[row < 6] * 12 for row in range(12)]), 1.0)
 
     def test_one_member_has_no_p(self):
         self.assertIsNone(statistics.rank_sum([1.0], range(15)))
