@@ -12,6 +12,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "random_search_$seed" "3 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
+part heredity "1 min" "how much of a parent's speed its mutants keep, of the trials whose archives are there"
 part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "4 days of two cores" "ten such trials, seeds 1 to 10: the paper's experiment"
@@ -35,4 +36,20 @@ done
 
 # shellcheck disable=SC2154  # $study is that of run_experiment.sh
 statistics() { "$study/trials.py"; }
+
+# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+heredity() {
+  local arm prefix archive seed
+  for arm in fractal balanced; do
+    prefix=$results/two_scales_
+    [ "$arm" = fractal ] || prefix+=${arm}_
+    for archive in "$prefix"[0-9]*.sqlite; do
+      [ -e "$archive" ] || continue
+      seed=${archive#"$prefix"}
+      menger export "$archive" --output "$results/individuals/$arm-${seed%.sqlite}" --individuals --levels 1 --no-frames --no-pictures
+    done
+  done
+  "$study/heredity.py" "$results/individuals"
+}
+
 small() { search small; }

@@ -92,7 +92,7 @@ class Case(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.tree = pathlib.Path(folder.name)
         for name in ("presets/paper.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/population.toml",
-                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml",
+                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/heredity.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml",
                      "scale_invariance/one_scale.toml", "phase_wave/two_scales.toml"):
             place = self.tree / "paper" / name
             place.parent.mkdir(parents=True, exist_ok=True)
@@ -790,6 +790,32 @@ class Trials(Case):
         self.assertEqual(drawn, evolution)
         population = options_of("paper")
         self.assertEqual(population["population.mutants"] + population["population.newcomers"], 16, "as many robots are asked for in a generation")
+
+    def test_tells_how_much_speed_mutants_keep(self):
+        # Twelve parents that go 1 to 12 body lengths at both scales, with a mutant of two cells each. At 3 cells every other one goes twice as
+        # fast, the others 0.4 times. At 9 cells selection needs six of the first trial, too few to tell; of the second one all, in reverse order.
+        columns = ["individual", "parent", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2) for axis in "xy"]
+        ways = [n + 1.0 for n in range(12)]
+        small = [way * (2.0 if n % 2 == 0 else 0.4) for n, way in enumerate(ways)]
+        large = {1: [2.0 * way if n % 2 == 0 else None for n, way in enumerate(ways)], 2: ways[::-1]}
+        for seed in (1, 2):
+            rows = [[n, "", "111" + "0" * 24, 0.03 * way, 0, 0.09 * way, 0] for n, way in enumerate(ways)]
+            rows += [[20 + n, n, "11121" + "0" * 22, 0.03 * small[n], 0, *(("", "") if large[seed][n] is None else (0.09 * large[seed][n], 0))] for n in range(12)]
+            write(self.tree / f"found/fractal-{seed}/individuals.csv", columns, rows)
+        self.done("fractal/heredity.py", self.tree / "found")
+        at_3, at_9 = table_of(self.tree / "paper/fractal/heredity.csv")
+        self.assertEqual([at_3[name] for name in ("arm", "cells_per_side", "cells_changed", "trials", "mutants", "keep_half", "faster")],
+                         ["fractal", "3", "2", "2", "24", "0.5", "0.5"])
+        self.assertAlmostEqual(float(at_3["spearman"]), spearman_of(ways, small), delta=1e-3)
+        kept = sum(13.0 - way >= 0.5 * way for way in ways)
+        self.assertEqual([at_9[name] for name in ("cells_per_side", "trials", "mutants", "spearman", "keep_half", "faster")],
+                         ["9", "1", "12", "-1", f"{kept / 12:.4g}", "0.5"])
+        # 15 body lengths a minute are 1.25 in 5 s. Of parents eleven go as fast. Mutants of the first trial: the six that walked at 9.
+        of_second = sum(min(one, other) >= 1.25 for one, other in zip(small, ways[::-1])) / 12
+        mutants, drawn = table_of(self.tree / "paper/fractal/mutants.csv")
+        self.assertEqual((mutants["kind"], mutants["robots"], float(mutants["fast"])), ("mutants", "24", float(f"{(6 / 12 + of_second) / 2:.4g}")))
+        self.assertEqual((drawn["kind"], drawn["robots"], float(drawn["fast"])), ("drawn at random", "24", float(f"{11 / 12:.4g}")))
+        self.refused("has no ARM-SEED/individuals.csv", "fractal/heredity.py", self.tree)
 
     def test_refuses_a_trial_without_generations(self):
         write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])

@@ -1,0 +1,98 @@
+#!/usr/bin/python3
+"""How much of its parent's speed a mutant keeps, by the number of cells that differ: heredity.csv and mutants.csv.
+
+heredity.py FOLDER    reads FOLDER/ARM-SEED/individuals.csv, which menger export --individuals writes
+
+heredity.csv  for each arm and number of cells, means over trials with bootstrap intervals: Spearman's rank correlation of the speeds of
+              parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
+mutants.csv   for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute
+
+The larger scale walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten such mutants count.
+Exit codes: 0 done, 2 wrong input.
+"""
+
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
+
+import numpy as np  # noqa: E402
+from sample_statistics import mean, rank_correlation  # noqa: E402
+from scale_invariance import PER_MINUTE, body_lengths, ends  # noqa: E402
+from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
+
+LEVELS = (1, 2)
+CELLS_CHANGED = ((1, 1), (2, 2), (3, 4), (5, 8), (9, 27))
+FEWEST_MUTANTS = 10  # of a trial, fewer of which have no rank correlation to speak of
+FAST_PER_MINUTE = 15.0
+ARMS = ("fractal", "balanced")  # in the order of the tables
+
+
+def speeds_of(rows, level):
+    """Body lengths a minute; not a number where a robot did not walk."""
+    return PER_MINUTE * body_lengths(ends(rows, level), level) if rows else np.empty(0)
+
+
+class Trial:
+    """The mutants of a search with their parents, and its random robots."""
+
+    def __init__(self, file):
+        rows = read_table(file)
+        by_number = {row["individual"]: row for row in rows}
+        mutants = [row for row in rows if row["parent"]]
+        parents = [by_number[row["parent"]] for row in mutants]
+        self.cells_changed = np.array([sum(one != other for one, other in zip(row["phenotype"], parent["phenotype"])) for row, parent in zip(mutants, parents)], dtype=int)
+        self.speeds = {level: (speeds_of(parents, level), speeds_of(mutants, level)) for level in LEVELS}
+        drawn = [row for row in rows if not row["parent"]]
+        self.fitness = {kind: np.min([speeds_of(those, level) for level in LEVELS], axis=0) for kind, those in (("mutants", mutants), ("drawn at random", drawn))}
+
+    def heredity(self, level, low, high):
+        """The correlation, the share that keeps half of the speed and the share that is faster; or nothing where there are few mutants."""
+        parents, mutants = self.speeds[level]
+        there = (self.cells_changed >= low) & (self.cells_changed <= high) & np.isfinite(parents) & np.isfinite(mutants)
+        if there.sum() < FEWEST_MUTANTS:
+            return None
+        parents, mutants = parents[there], mutants[there]
+        return int(there.sum()), rank_correlation(parents, mutants), float(np.mean(mutants >= 0.5 * parents)), float(np.mean(mutants > parents))
+
+
+def interval(name, sample):
+    found = mean(sample)
+    return {name: found.value, f"{name}_low": found.low, f"{name}_high": found.high}
+
+
+def heredity(arm, trials):
+    for level in LEVELS:
+        for low, high in CELLS_CHANGED:
+            found = [one for trial in trials if (one := trial.heredity(level, low, high))]
+            if found:
+                numbers, *samples = zip(*found)
+                row = {"arm": arm, "cells_per_side": 3**level, "cells_changed": f"{low}" if low == high else f"{low} to {high}", "trials": len(found), "mutants": sum(numbers)}
+                for name, sample in zip(("spearman", "keep_half", "faster"), samples):
+                    row |= interval(name, sample)
+                yield row
+
+
+def fast_robots(arm, trials):
+    for kind in ("mutants", "drawn at random"):
+        row = {"arm": arm, "kind": kind, "trials": len(trials), "robots": sum(len(trial.fitness[kind]) for trial in trials)}
+        # Who did not walk at the larger scale was not needed there, and counts as slow.
+        yield row | interval("fast", [float(np.mean(trial.fitness[kind] >= FAST_PER_MINUTE)) for trial in trials])
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        raise InputError(__doc__)
+    arms = {arm: [Trial(file) for file in sorted(pathlib.Path(arguments[0]).glob(f"{arm}-*/individuals.csv"))] for arm in ARMS}
+    arms = {arm: trials for arm, trials in arms.items() if trials}
+    if not arms:
+        raise InputError(f"{arguments[0]}: has no ARM-SEED/individuals.csv")
+    for name, rows_of in (("heredity", heredity), ("mutants", fast_robots)):
+        rows = [row for arm, trials in arms.items() for row in rows_of(arm, trials)]
+        write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
+
+
+if __name__ == "__main__":
+    run_script(main)
