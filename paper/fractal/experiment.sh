@@ -40,9 +40,12 @@ statistics() { "$study/trials.py"; }
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
 heredity() {
   local arm prefix archive seed
-  for arm in fractal balanced; do
-    prefix=$results/two_scales_
-    [ "$arm" = fractal ] || prefix+=${arm}_
+  for arm in fractal balanced control; do
+    case $arm in
+      fractal) prefix=$results/two_scales_ ;;
+      balanced) prefix=$results/two_scales_balanced_ ;;
+      control) prefix=build/paper/non_fractal/two_scales_ ;;
+    esac
     for archive in "$prefix"[0-9]*.sqlite; do
       [ -e "$archive" ] || continue
       seed=${archive#"$prefix"}

@@ -5,7 +5,9 @@ heredity.py FOLDER    reads FOLDER/ARM-SEED/individuals.csv, which menger export
 
 heredity.csv  for each arm and number of cells, means over trials with bootstrap intervals: Spearman's rank correlation of the speeds of
               parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
-mutants.csv   for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute
+mutants.csv   for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
+              and the share of mutants that are fitter than their parents. Mutants of the control, whose larger scale evolves apart, are
+              those that change the body and those that change its arrangement alone; the control is not in heredity.csv
 
 The larger scale walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten such mutants count.
 Exit codes: 0 done, 2 wrong input.
@@ -27,12 +29,17 @@ LEVELS = (1, 2)
 CELLS_CHANGED = ((1, 1), (2, 2), (3, 4), (5, 8), (9, 27))
 FEWEST_MUTANTS = 10  # of a trial, fewer of which have no rank correlation to speak of
 FAST_PER_MINUTE = 15.0
-ARMS = ("fractal", "balanced")  # in the order of the tables
+ARMS = ("fractal", "balanced", "control")  # in the order of the tables
 
 
 def speeds_of(rows, level):
     """Body lengths a minute; not a number where a robot did not walk."""
     return PER_MINUTE * body_lengths(ends(rows, level), level) if rows else np.empty(0)
+
+
+def fitness_of(rows):
+    """Body lengths a minute of the slowest scale; not a number where a robot did not walk at all of them."""
+    return np.min([speeds_of(rows, level) for level in LEVELS], axis=0)
 
 
 class Trial:
@@ -41,12 +48,21 @@ class Trial:
     def __init__(self, file):
         rows = read_table(file)
         by_number = {row["individual"]: row for row in rows}
-        mutants = [row for row in rows if row["parent"]]
-        parents = [by_number[row["parent"]] for row in mutants]
-        self.cells_changed = np.array([sum(one != other for one, other in zip(row["phenotype"], parent["phenotype"])) for row, parent in zip(mutants, parents)], dtype=int)
-        self.speeds = {level: (speeds_of(parents, level), speeds_of(mutants, level)) for level in LEVELS}
-        drawn = [row for row in rows if not row["parent"]]
-        self.fitness = {kind: np.min([speeds_of(those, level) for level in LEVELS], axis=0) for kind, those in (("mutants", mutants), ("drawn at random", drawn))}
+        self.drawn = [row for row in rows if not row["parent"]]
+        self.mutants = [row for row in rows if row["parent"]]
+        self.parents = [by_number[row["parent"]] for row in self.mutants]
+        # The body, and where the larger scale evolves apart its arrangement
+        self.changed = [[sum(one != other for one, other in zip(*parts)) for parts in zip(row["phenotype"].split("|"), parent["phenotype"].split("|"))]
+                        for row, parent in zip(self.mutants, self.parents)]
+        self.cells_changed = np.array([sum(parts) for parts in self.changed], dtype=int)
+        self.speeds = {level: (speeds_of(self.parents, level), speeds_of(self.mutants, level)) for level in LEVELS}
+
+    def kinds(self):
+        """The name of each kind of mutants, and which they are."""
+        if self.changed and len(self.changed[0]) == 1:
+            return {"mutants": np.full(len(self.mutants), True)}
+        of_body = np.array([parts[0] > 0 for parts in self.changed])
+        return {"mutants of the body": of_body, "mutants of its arrangement alone": ~of_body & (self.cells_changed > 0)}
 
     def heredity(self, level, low, high):
         """The correlation, the share that keeps half of the speed and the share that is faster; or nothing where there are few mutants."""
@@ -76,10 +92,17 @@ def heredity(arm, trials):
 
 
 def fast_robots(arm, trials):
-    for kind in ("mutants", "drawn at random"):
-        row = {"arm": arm, "kind": kind, "trials": len(trials), "robots": sum(len(trial.fitness[kind]) for trial in trials)}
-        # Who did not walk at the larger scale was not needed there, and counts as slow.
-        yield row | interval("fast", [float(np.mean(trial.fitness[kind] >= FAST_PER_MINUTE)) for trial in trials])
+    """Who did not walk at the larger scale was not needed there, and counts as slow, and as no fitter than its parent."""
+    for kind in trials[0].kinds():
+        chosen = [trial.kinds()[kind] for trial in trials]
+        fitness = [fitness_of(trial.mutants)[those] for trial, those in zip(trials, chosen)]
+        of_parents = [fitness_of(trial.parents)[those] for trial, those in zip(trials, chosen)]
+        row = {"arm": arm, "kind": kind, "trials": len(trials), "robots": sum(map(len, fitness))}
+        yield row | interval("fast", [float(np.mean(one >= FAST_PER_MINUTE)) for one in fitness]) | interval(
+            "fitter", [float(np.mean(one > other)) for one, other in zip(fitness, of_parents)])
+    drawn = [fitness_of(trial.drawn) for trial in trials]
+    row = {"arm": arm, "kind": "drawn at random", "trials": len(trials), "robots": sum(map(len, drawn))}
+    yield row | interval("fast", [float(np.mean(one >= FAST_PER_MINUTE)) for one in drawn]) | dict.fromkeys(("fitter", "fitter_low", "fitter_high"))
 
 
 def main(arguments):
@@ -90,7 +113,7 @@ def main(arguments):
     if not arms:
         raise InputError(f"{arguments[0]}: has no ARM-SEED/individuals.csv")
     for name, rows_of in (("heredity", heredity), ("mutants", fast_robots)):
-        rows = [row for arm, trials in arms.items() for row in rows_of(arm, trials)]
+        rows = [row for arm, trials in arms.items() for row in rows_of(arm, trials) if not (arm == "control" and rows_of is heredity)]
         write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
 
 

@@ -817,6 +817,24 @@ class Trials(Case):
         self.assertEqual((drawn["kind"], drawn["robots"], float(drawn["fast"])), ("drawn at random", "24", float(f"{11 / 12:.4g}")))
         self.refused("has no ARM-SEED/individuals.csv", "fractal/heredity.py", self.tree)
 
+    def test_mutants_of_the_control_change_the_body_or_its_arrangement(self):
+        columns = ["individual", "parent", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2) for axis in "xy"]
+        body_of, arranged = "111" + "0" * 24, "11" + "0" * 25
+        rows = [[0, "", f"{body_of}|{arranged}", 0.06, 0, 0.09, 0],  # 2 and 1 body lengths
+                [1, 0, f"{body_of}|111{arranged[3:]}", 0.06, 0, 0.135, 0],  # another arrangement, fitter
+                [2, 0, f"{body_of}|101{arranged[3:]}", 0.06, 0, "", ""],  # another one, not needed at 9 cells
+                [3, 0, f"1111{body_of[4:]}|{arranged}", 0.015, 0, 0.18, 0]]  # another body, slower at 3
+        write(self.tree / "found/control-1001/individuals.csv", columns, rows)
+        write(self.tree / "found/fractal-1/individuals.csv", columns, [[0, "", body_of, 0.06, 0, 0.09, 0]]
+              + [[n, 0, "1111" + "0" * 23, 0.03 * n, 0, 0.135, 0] for n in range(1, 13)])
+        self.done("fractal/heredity.py", self.tree / "found")
+        rows = {(row["arm"], row["kind"]): row for row in table_of(self.tree / "paper/fractal/mutants.csv")}
+        self.assertEqual({key: (row["robots"], row["fitter"], row["fast"]) for key, row in rows.items() if key[0] == "control"},
+                         {("control", "mutants of the body"): ("1", "0", "0"), ("control", "mutants of its arrangement alone"): ("2", "0.5", "0.5"),
+                          ("control", "drawn at random"): ("1", "", "0")})
+        self.assertEqual(rows["fractal", "mutants"]["fitter"], f"{11 / 12:.4g}", "all but the one that goes as fast")
+        self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/fractal/heredity.csv")}, {"fractal"})
+
     def test_refuses_a_trial_without_generations(self):
         write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])
         self.refused("fractal/two_scales/1.csv: has no generation", self.script)
