@@ -12,7 +12,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "random_search_$seed" "3 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
-part heredity "1 min" "how much of a parent's speed its mutants keep, of the trials whose archives are there"
+part_on_request heredity "1 min" "how much of a parent's speed its mutants keep, of the trials here and of non_fractal whose archives are there"
 part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "4 days of two cores" "ten such trials, seeds 1 to 10: the paper's experiment"

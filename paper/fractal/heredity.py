@@ -113,8 +113,14 @@ def main(arguments):
     if not arms:
         raise InputError(f"{arguments[0]}: has no ARM-SEED/individuals.csv")
     for name, rows_of in (("heredity", heredity), ("mutants", fast_robots)):
-        rows = [row for arm, trials in arms.items() for row in rows_of(arm, trials) if not (arm == "control" and rows_of is heredity)]
-        write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
+        file = HERE / f"{name}.csv"
+        rows = read_table(file) if file.exists() else []  # arms whose archives are not there keep their rows
+        for arm, trials in arms.items():
+            if not (arm == "control" and rows_of is heredity):
+                rows = [row for row in rows if row["arm"] != arm] + [{key: cell(value) for key, value in row.items()} for row in rows_of(arm, trials)]
+        if rows:
+            rows.sort(key=lambda row: ARMS.index(row["arm"]))
+            write_table(file, list(rows[0]), rows)
 
 
 if __name__ == "__main__":

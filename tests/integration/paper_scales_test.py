@@ -834,6 +834,10 @@ class Trials(Case):
                           ("control", "drawn at random"): ("1", "", "0")})
         self.assertEqual(rows["fractal", "mutants"]["fitter"], f"{11 / 12:.4g}", "all but the one that goes as fast")
         self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/fractal/heredity.csv")}, {"fractal"})
+        before = [(self.tree / f"paper/fractal/{name}.csv").read_text() for name in ("heredity", "mutants")]
+        shutil.rmtree(self.tree / "found/control-1001")
+        self.done("fractal/heredity.py", self.tree / "found")
+        self.assertEqual([(self.tree / f"paper/fractal/{name}.csv").read_text() for name in ("heredity", "mutants")], before, "who is not there keeps its rows")
 
     def test_refuses_a_trial_without_generations(self):
         write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])
