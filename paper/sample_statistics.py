@@ -28,6 +28,10 @@ class Estimate:
     low: float | None
     high: float | None
 
+    def cells(self, name):
+        """Its columns in a table; a number that is none is an empty cell."""
+        return {name: self.value if np.isfinite(self.value) else None, f"{name}_low": self.low, f"{name}_high": self.high}
+
 
 def bootstrap(statistic, *samples, paired=False):
     """The statistic of one or more samples, with the percentiles of a bootstrap. `paired`: their members are drawn together."""

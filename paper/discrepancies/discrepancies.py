@@ -27,7 +27,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
 from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, mcnemar, median, rank_correlation, share, signed_rank, spearman, verdict  # noqa: E402
-from scale_invariance import angle_and_factor, by_chance, carries_over, same_way  # noqa: E402
+from scale_invariance import angle_and_factor, by_chance, carries_over, of_all_pairs, same_way  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
@@ -158,11 +158,6 @@ def known(value):
     return value if value is not None and np.isfinite(value) else None
 
 
-def interval(name, estimate):
-    """The cells of an estimate."""
-    return {name: known(estimate.value), f"{name}_low": known(estimate.low), f"{name}_high": known(estimate.high)}
-
-
 def groups_of_ten(robots):
     draw = np.random.default_rng(1)
     return np.array([draw.choice(robots, TEN, replace=False) for _ in range(GROUPS)])
@@ -175,10 +170,10 @@ def share_with_another_best(first, second, groups):
 
 def agreement(fitness, changed):
     """How well two fitnesses of the same robots agree."""
-    row = interval("fitness_spearman", spearman(fitness, changed))
+    row = spearman(fitness, changed).cells("fitness_spearman")
     if len(fitness) >= TEN:
         groups = groups_of_ten(len(fitness))
-        row |= interval("another_best_of_ten", bootstrap(lambda a, b: share_with_another_best(a, b, groups), fitness, changed, paired=True))
+        row |= bootstrap(lambda a, b: share_with_another_best(a, b, groups), fitness, changed, paired=True).cells("another_best_of_ten")
     return row
 
 
@@ -218,7 +213,7 @@ def change(text, other, level):
         end = how_far_ends_move(text, other, level, moving)
         factor = other.distances_m(level)[moving] / text.distances_m(level)[moving]
         for name, sample in (("end", end), ("distance", np.abs(factor - 1.0)), ("factor", factor)):
-            row |= interval(f"{name}_median", median(sample)) | interval(f"{name}_ninth_decile", bootstrap(ninth_decile, sample))
+            row |= median(sample).cells(f"{name}_median") | bootstrap(ninth_decile, sample).cells(f"{name}_ninth_decile")
     return row
 
 
@@ -231,13 +226,13 @@ def failures(text, walks, level):
                "two_materials": int(np.sum(chosen & walks.has_two_materials()))}
         if chosen.any():
             row["cells_median"] = float(np.median(walks.cells()[chosen]))
-            row |= interval("text_body_lengths", median(text.body_lengths(level)[chosen & text.ended_at(level)]))
+            row |= median(text.body_lengths(level)[chosen & text.ended_at(level)]).cells("text_body_lengths")
         yield row
 
 
 def judged(name, estimate, against):
     """The cells of an estimate, with a verdict on whether it is above what it would be by chance."""
-    return interval(name, estimate) | {f"{name}_verdict": verdict(estimate, against)}
+    return estimate.cells(name) | {f"{name}_verdict": verdict(estimate, against)}
 
 
 def from_scale_to_scale(walks, lower, upper):
@@ -256,18 +251,18 @@ def from_scale_to_scale(walks, lower, upper):
         row |= judged("larger_is_slower", share(int(np.sum((large < small)[at_either])), row["moving_at_either"]), 0.5)
         row["larger_is_slower_outcome"] = OUTCOMES[row["larger_is_slower_verdict"]]
         with np.errstate(divide="ignore", invalid="ignore"):  # who does not move at all at the smaller scale is infinitely faster at the larger one
-            row |= interval("speed_factor", median(large[at_either] / small[at_either]))
+            row |= median(large[at_either] / small[at_either]).cells("speed_factor")
     at_both = moving & walks.moves(upper)
     row["moving_at_both"] = int(at_both.sum())
     if row["moving_at_both"] > 1:
-        row |= interval("larger_is_slower_of_both", share(int(np.sum((large < small)[at_both])), row["moving_at_both"]))
-        row |= interval("speed_factor_of_both", median(large[at_both] / small[at_both]))
+        row |= share(int(np.sum((large < small)[at_both])), row["moving_at_both"]).cells("larger_is_slower_of_both")
+        row |= median(large[at_both] / small[at_both]).cells("speed_factor_of_both")
     if row["moving"] > 1:
         ends_m = walks.ends_m[lower][moving], walks.ends_m[upper][moving]
-        chance = by_chance(*ends_m)
+        chance = by_chance(of_all_pairs(*ends_m))
         row |= {"carried_over_by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"]}
         changes = angle_and_factor(*ends_m)
-        row |= interval("same_way", share(int(np.sum(same_way(*changes))), row["moving"]))
+        row |= share(int(np.sum(same_way(*changes))), row["moving"]).cells("same_way")
         row |= judged("carried_over", share(int(np.sum(carries_over(*changes))), row["moving"]), row["carried_over_by_chance"])
         row |= judged("scales_spearman", spearman(small[ended], large[ended]), 0.0)
     return row
@@ -282,7 +277,7 @@ def more_alike(text, walks, lower, upper):
         found = [angle_and_factor(one.ends_m[lower][both], one.ends_m[upper][both]) for one in (text, walks)]
         for name, measure in (("carried_over", carries_over), ("same_way", same_way)):
             of_text, of_variant = (measure(*one) for one in found)
-            row |= interval(f"in_both_text_{name}", share(int(of_text.sum()), len(of_text))) | interval(f"in_both_{name}", share(int(of_variant.sum()), len(of_text)))
+            row |= share(int(of_text.sum()), len(of_text)).cells(f"in_both_text_{name}") | share(int(of_variant.sum()), len(of_text)).cells(f"in_both_{name}")
             row[f"p_{name}"] = mcnemar(of_text, of_variant)
     return row
 
@@ -300,7 +295,7 @@ def of_fitness(walks):
     row |= {"best_tenth_sponges": best / tenth, "other_sponges": others / (len(fitness) - tenth)}
     row |= judged("more_sponges", difference_of_shares(best, tenth, others, len(fitness) - tenth), 0.0)
     scores = walks.scores()[:, ended]
-    row |= interval("smallest_scale_decides", share(int(np.sum(scores[0] < np.min(scores[1:], axis=0))), len(fitness)))
+    row |= share(int(np.sum(scores[0] < np.min(scores[1:], axis=0))), len(fitness)).cells("smallest_scale_decides")
     least = np.min([walks.body_lengths(level)[ended] for level in walks.levels], axis=0) * 60.0 / walks.duration_s
     return row | {"best_body_lengths_per_minute": float(np.max(least)), "median_body_lengths_per_minute": float(np.median(least))}
 
@@ -364,7 +359,7 @@ def with_both_beams(pairs, level):
     if robots.any():
         moved = [how_far_ends_move(before, after, level, robots) for before, after in pairs]
         for name, sample in zip(("published_end_median", "balanced_end_median"), moved):
-            row |= interval(name, median(sample))
+            row |= median(sample).cells(name)
         row["p"] = signed_rank(*moved)
     return row | {f"{name}_spearman": distance_correlation(*pair, level) for name, pair in zip(("published", "balanced"), pairs)}
 
@@ -410,8 +405,8 @@ def summary():
     unlike = len({like(body) for body in text.bodies})
     # Intervals take all robots as independent. Of as many groups of robots that walk alike they would be wider by the root of their mean size.
     population = [{"population": "all", "robots": len(text.bodies), "unlike": unlike, "wider": np.sqrt(len(text.bodies) / unlike) - 1.0}]
-    for file, rows in (("population.csv", population), ("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed), ("failures.csv", failed), ("conclusions.csv", concluded),
-                       ("verdicts.csv", verdicts(concluded))):
+    for file, rows in (("population.csv", population), ("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed),
+                       ("failures.csv", failed), ("conclusions.csv", concluded), ("verdicts.csv", verdicts(concluded))):
         write_rows(file, rows)
     if compared:
         draw(compared)

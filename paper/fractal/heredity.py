@@ -37,11 +37,6 @@ def speeds_of(rows, level):
     return PER_MINUTE * body_lengths(ends(rows, level), level) if rows else np.empty(0)
 
 
-def fitness_of(rows):
-    """Body lengths a minute of the slowest scale; not a number where a robot did not walk at all of them."""
-    return np.min([speeds_of(rows, level) for level in LEVELS], axis=0)
-
-
 class Trial:
     """The mutants of a search with their parents, and its random robots."""
 
@@ -56,8 +51,9 @@ class Trial:
                         for row, parent in zip(self.mutants, self.parents)]
         self.cells_changed = np.array([sum(parts) for parts in self.changed], dtype=int)
         self.speeds = {level: (speeds_of(self.parents, level), speeds_of(self.mutants, level)) for level in LEVELS}
+        self.kinds = self.which_mutants()
 
-    def kinds(self):
+    def which_mutants(self):
         """The name of each kind of mutants, and which they are."""
         if self.changed and len(self.changed[0]) == 1:
             return {"mutants": np.full(len(self.mutants), True)}
@@ -74,11 +70,6 @@ class Trial:
         return int(there.sum()), rank_correlation(parents, mutants), float(np.mean(mutants >= 0.5 * parents)), float(np.mean(mutants > parents))
 
 
-def interval(name, sample):
-    found = mean(sample)
-    return {name: found.value, f"{name}_low": found.low, f"{name}_high": found.high}
-
-
 def heredity(arm, trials):
     for level in LEVELS:
         for low, high in CELLS_CHANGED:
@@ -87,22 +78,29 @@ def heredity(arm, trials):
                 numbers, *samples = zip(*found)
                 row = {"arm": arm, "cells_per_side": 3**level, "cells_changed": f"{low}" if low == high else f"{low} to {high}", "trials": len(found), "mutants": sum(numbers)}
                 for name, sample in zip(("spearman", "keep_half", "faster"), samples):
-                    row |= interval(name, sample)
+                    row |= mean(sample).cells(name)
                 yield row
+
+
+def fast_share(fitness):
+    """The share of fast robots, mean over trials."""
+    return mean([float(np.mean(one >= FAST_PER_MINUTE)) for one in fitness]).cells("fast")
 
 
 def fast_robots(arm, trials):
     """Who did not walk at the larger scale was not needed there, and counts as slow, and as no fitter than its parent."""
-    for kind in trials[0].kinds():
-        chosen = [trial.kinds()[kind] for trial in trials]
-        fitness = [fitness_of(trial.mutants)[those] for trial, those in zip(trials, chosen)]
-        of_parents = [fitness_of(trial.parents)[those] for trial, those in zip(trials, chosen)]
-        row = {"arm": arm, "kind": kind, "trials": len(trials), "robots": sum(map(len, fitness))}
-        yield row | interval("fast", [float(np.mean(one >= FAST_PER_MINUTE)) for one in fitness]) | interval(
-            "fitter", [float(np.mean(one > other)) for one, other in zip(fitness, of_parents)])
-    drawn = [fitness_of(trial.drawn) for trial in trials]
-    row = {"arm": arm, "kind": "drawn at random", "trials": len(trials), "robots": sum(map(len, drawn))}
-    yield row | interval("fast", [float(np.mean(one >= FAST_PER_MINUTE)) for one in drawn]) | dict.fromkeys(("fitter", "fitter_low", "fitter_high"))
+    both = [[np.min([trial.speeds[level][side] for level in LEVELS], axis=0) for side in (0, 1)] for trial in trials]  # of parents and of mutants
+    for kind in trials[0].kinds:
+        parents, mutants = zip(*([side[trial.kinds[kind]] for side in sides] for trial, sides in zip(trials, both)))
+        fitter = mean([float(np.mean(one > other)) for one, other in zip(mutants, parents)])
+        yield {"arm": arm, "kind": kind, "trials": len(trials), "robots": sum(map(len, mutants))} | fast_share(mutants) | fitter.cells("fitter")
+    drawn = [np.min([speeds_of(trial.drawn, level) for level in LEVELS], axis=0) for trial in trials]
+    yield {"arm": arm, "kind": "drawn at random", "trials": len(trials), "robots": sum(map(len, drawn))} | fast_share(drawn) | dict.fromkeys(
+        ("fitter", "fitter_low", "fitter_high"))
+
+
+# The rows of each table, and the arms that it has
+TABLES = {"heredity": (heredity, ("fractal", "balanced")), "mutants": (fast_robots, ARMS)}
 
 
 def main(arguments):
@@ -112,12 +110,12 @@ def main(arguments):
     arms = {arm: trials for arm, trials in arms.items() if trials}
     if not arms:
         raise InputError(f"{arguments[0]}: has no ARM-SEED/individuals.csv")
-    for name, rows_of in (("heredity", heredity), ("mutants", fast_robots)):
+    for name, (rows_of, its_arms) in TABLES.items():
         file = HERE / f"{name}.csv"
-        rows = read_table(file) if file.exists() else []  # arms whose archives are not there keep their rows
-        for arm, trials in arms.items():
-            if not (arm == "control" and rows_of is heredity):
-                rows = [row for row in rows if row["arm"] != arm] + [{key: cell(value) for key, value in row.items()} for row in rows_of(arm, trials)]
+        made = [row for arm in its_arms if arm in arms for row in rows_of(arm, arms[arm])]
+        there = {row["arm"] for row in made}
+        kept = [row for row in (read_table(file) if file.exists() else []) if row["arm"] not in there]  # arms whose archives are gone keep their rows
+        rows = kept + [{key: cell(value) for key, value in row.items()} for row in made]
         if rows:
             rows.sort(key=lambda row: ARMS.index(row["arm"]))
             write_table(file, list(rows[0]), rows)

@@ -132,15 +132,11 @@ def statistics(arms):
         levels = list(trials[0].speeds)
         smaller, larger = ([trial.last_speed(level) for trial in trials] for level in levels[-2:])
         slower = share(sum(one < other for one, other in zip(larger, smaller)), len(trials))
-        rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1,
-                     "first": first.value, "first_low": first.low, "first_high": first.high,
-                     "last": last.value, "last_low": last.low, "last_high": last.high,
-                     "gain": gain.value, "gain_low": gain.low, "gain_high": gain.high, "gain_outcome": OUTCOMES[verdict(gain, 0.0)],
-                     "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
-                     "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}",
-                     "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
-                     "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)],
-                     "p_scales": signed_rank(smaller, larger), "p_scales_rank_sum": rank_sum(smaller, larger)} | dimensions_of(arm, trials))
+        rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1} | first.cells("first") | last.cells("last") | gain.cells("gain")
+                    | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
+                       "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
+                    | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(smaller, larger),
+                       "p_scales_rank_sum": rank_sum(smaller, larger)} | dimensions_of(arm, trials))
     return rows
 
 
@@ -156,7 +152,7 @@ def comparisons(arms):
         larger = share_of_larger_pairs(*ends) if are_pairs else share_of_larger(*ends)
         p = signed_rank(*ends) if are_pairs else rank_sum(*ends)
         rows.append({"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": shared,
-                     "test": "signed rank" if are_pairs else "rank sum", "p": p, "larger": larger.value, "larger_low": larger.low, "larger_high": larger.high,
+                     "test": "signed rank" if are_pairs else "rank sum", "p": p} | larger.cells("larger") | {
                      "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))})
     return rows
 

@@ -170,15 +170,11 @@ def kept(before_m, after_m, level):
     """How fast robots are before and after a change, the one that is fastest before it, too; how many keep half of their speed, and how many
     their way."""
     before, after = body_lengths(before_m, level), body_lengths(after_m, level)
-    ratio = median(after / before)
     keep = share(int(np.sum(after >= LEAST_SHARE * before)), len(before))
     row = {"robots": len(before), "before_per_minute": float(np.median(before)) * PER_MINUTE, "after_per_minute": float(np.median(after)) * PER_MINUTE,
-           "fastest_before_per_minute": float(before.max()) * PER_MINUTE, "fastest_after_per_minute": float(after[before.argmax()]) * PER_MINUTE,
-           "ratio": ratio.value, "ratio_low": ratio.low, "ratio_high": ratio.high, "p": signed_rank(before, after)}
-    turned = share(int(same_way(*angle_and_factor(before_m, after_m)).sum()), len(before))
-    for name, found in (("keep_half", keep), ("same_way", turned)):
-        row |= {name: found.value, f"{name}_low": found.low, f"{name}_high": found.high}
-    return row
+           "fastest_before_per_minute": float(before.max()) * PER_MINUTE, "fastest_after_per_minute": float(after[before.argmax()]) * PER_MINUTE}
+    row |= median(after / before).cells("ratio") | {"p": signed_rank(before, after)} | keep.cells("keep_half")
+    return row | share(int(same_way(*angle_and_factor(before_m, after_m)).sum()), len(before)).cells("same_way")
 
 
 def summary():

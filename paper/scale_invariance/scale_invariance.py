@@ -151,10 +151,11 @@ def of_all_pairs(lower_m, upper_m):
     return {name: measure(*found).reshape(len(lower_m), len(upper_m)) for name, measure in MEASURES.items()}
 
 
-def by_chance(lower_m, upper_m):
-    """The shares where the way of each robot at the lower level is paired with that of every other one at the upper level."""
-    others = ~np.eye(len(lower_m), dtype=bool)
-    return {name: float(np.mean(found[others])) for name, found in of_all_pairs(lower_m, upper_m).items()}
+def by_chance(pairs):
+    """The shares where the way of each robot at the lower level is paired with that of every other one at the upper level.
+
+    @param pairs what of_all_pairs gives"""
+    return {name: float(np.mean(found[~np.eye(len(found), dtype=bool)])) for name, found in pairs.items()}
 
 
 def body_lengths(ends_m, level):
@@ -211,10 +212,8 @@ def outcome(lower_m, upper_m):
     found = angle_and_factor(lower_m, upper_m)
     row = {"robots": len(lower_m)}
     for name, measure in MEASURES.items():
-        estimate = share(int(measure(*found).sum()), len(lower_m))
-        row |= {name: estimate.value, f"{name}_low": estimate.low, f"{name}_high": estimate.high}
-    speed = median(found[1])
-    return row | {"speed_factor": speed.value, "speed_factor_low": speed.low, "speed_factor_high": speed.high}
+        row |= share(int(measure(*found).sum()), len(lower_m)).cells(name)
+    return row | median(found[1]).cells("speed_factor")
 
 
 def which_is_slower(rows, lower, upper):
@@ -223,13 +222,11 @@ def which_is_slower(rows, lower, upper):
     speeds = np.array([body_lengths(ends(rows, level), level) for level in (lower, upper)])
     small, large = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax(*speeds) >= LEAST_BODY_LENGTHS)]
     slower = share(int(np.sum(large < small)), len(small))
-    there = median(large * PER_MINUTE)
     p = rank_sum(small, large)
-    return {"moving_at_either": len(small), "larger_is_slower": slower.value, "larger_is_slower_low": slower.low, "larger_is_slower_high": slower.high,
+    return {"moving_at_either": len(small)} | slower.cells("larger_is_slower") | {
             "larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(small, large), "p_scales_rank_sum": p,
             "no_difference_outcome": "not reproduced" if tells_apart(p) else "open",
-            "smaller_per_minute": float(np.median(small)) * PER_MINUTE, "larger_per_minute": there.value, "larger_per_minute_low": there.low,
-            "larger_per_minute_high": there.high}
+            "smaller_per_minute": float(np.median(small)) * PER_MINUTE} | median(large * PER_MINUTE).cells("larger_per_minute")
 
 
 def largest_is_the_slowest(sets):
@@ -241,8 +238,7 @@ def largest_is_the_slowest(sets):
         speeds = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax.reduce(speeds) >= LEAST_BODY_LENGTHS)]
         if speeds.shape[1]:
             slowest = share(int(np.sum(speeds[-1] < speeds[:-1].min(axis=0))), speeds.shape[1])
-            made.append({"group": group, "label": label, "robots": speeds.shape[1], "largest_is_slowest": cell(slowest.value),
-                         "largest_is_slowest_low": cell(slowest.low), "largest_is_slowest_high": cell(slowest.high)})
+            made.append({key: cell(value) for key, value in ({"group": group, "label": label, "robots": speeds.shape[1]} | slowest.cells("largest_is_slowest")).items()})
     return made
 
 
@@ -251,11 +247,12 @@ def statistics_of(group, label, rows, lower, upper):
     if len(lower_m) == 0:
         return None
     row = {"group": group, "levels": f"{lower} to {upper}", "label": label, "cells": f"{3**lower} to {3**upper}", "ended": ended(rows, lower, upper)} | outcome(lower_m, upper_m)
-    chance = by_chance(lower_m, upper_m) if len(lower_m) > 1 else dict.fromkeys(MEASURES)
+    pairs = of_all_pairs(lower_m, upper_m)
+    chance = by_chance(pairs) if len(lower_m) > 1 else dict.fromkeys(MEASURES)
     speeds = fitness(that_move(rows, lower, upper))
     row["fitness_per_minute"] = float(np.nanmedian(speeds)) * PER_MINUTE if np.isfinite(speeds).any() else None
     row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"],
-            "p_by_chance": pairing_p(of_all_pairs(lower_m, upper_m)["carried_over"])}
+            "p_by_chance": pairing_p(pairs["carried_over"])}
     row |= which_is_slower(rows, lower, upper)
     return {key: cell(value) for key, value in row.items()}
 
@@ -284,8 +281,7 @@ def comparisons_within(sets, evolved):
                     counts = [number for sample in samples for number in (int(measure(*angle_and_factor(*sample)).sum()), len(sample[0]))]
                     more = difference_of_shares(*counts)
                     p = fisher(*counts)
-                    row |= {f"p_{name}": p, f"more_{name}": more.value, f"more_{name}_low": more.low, f"more_{name}_high": more.high,
-                            f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0) if tells_apart(p) else "open"]}
+                    row |= {f"p_{name}": p} | more.cells(f"more_{name}") | {f"more_{name}_outcome": OUTCOMES[verdict(more, 0.0) if tells_apart(p) else "open"]}
                 row["as_fit_as_the_slowest"] = int(np.sum(fitness(sets[other][1]) >= slowest))
                 rows.append({key: cell(value) for key, value in row.items()})
     return rows
@@ -316,8 +312,7 @@ def dimension_tests(rows):
         angle, factor = angle_and_factor(ends(there, lower), ends(there, lower + 1))
         row = {"levels": f"{lower} to {lower + 1}", "cells": f"{3**lower} to {3 ** (lower + 1)}", "robots": len(there)}
         for name, values in (("angle", angle), ("speed", np.abs(np.log(np.maximum(factor, 1e-9))))):
-            found = spearman([dimension(one) for one in there], values)
-            row |= {f"{name}_spearman": found.value, f"{name}_spearman_low": found.low, f"{name}_spearman_high": found.high}
+            row |= spearman([dimension(one) for one in there], values).cells(f"{name}_spearman")
         made.append({key: cell(value) for key, value in row.items()})
     return made
 

@@ -343,7 +343,7 @@ class Discrepancies(Case):
         script = module_of("paper/discrepancies/discrepancies.py")
         lower = script.np.array([[0.01, 0.0], [0.01, 0.0], [-0.01, 0.0]])
         # Each of the six pairs once, none with itself: only the first two go the same way.
-        found = script.by_chance(lower, 3.0 * lower)
+        found = script.by_chance(script.of_all_pairs(lower, 3.0 * lower))
         self.assertEqual((found["carried_over"], found["same_way"], found["like_speed"]), (2 / 6, 2 / 6, 1.0))
         concluded = script.from_scale_to_scale(made_walks(script, [9] * 3, [1.0] * 3, [1.0] * 3), 1, 2)
         self.assertEqual((concluded["carried_over"], concluded["carried_over_by_chance"]), (1.0, 1.0))

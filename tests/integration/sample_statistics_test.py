@@ -46,10 +46,11 @@ class SampleStatistics(unittest.TestCase):
         self.assertAlmostEqual(statistics.share_of_larger([1, 2, 2], [2, 2, 3]).value, (0 + 0.5 * 4 + 0) / 9)
 
     def test_share_of_larger_has_an_interval_where_samples_do_not_overlap(self):
-        # None of 10 and 10 overlap: (1 - s) / s = 1.96^2 (1 + 9 ((1 - s) / (2 - s) + s / (1 + s))) / 100 at the lower end s = 0.8256...
+        # None of 10 and 10 overlap: (1 - s) / s = 1.96^2 (1 + 9 ((1 - s) / (2 - s) + s / (1 + s))) / 100 at the lower end s = 0.8002.
         found = statistics.share_of_larger(range(100, 110), range(10))
         self.assertEqual((found.value, found.high), (1.0, 1.0))
         s = found.low
+        self.assertAlmostEqual(s, 0.8002, delta=1e-4)
         self.assertAlmostEqual((1 - s) / s, 1.959964**2 * (1 + 9 * ((1 - s) / (2 - s) + s / (1 + s))) / 100, delta=1e-6)
         # Of 10 and 5 the mean of both sizes less one, 6.5, is in the error: found on a grid of shares.
         unequal = statistics.share_of_larger([0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46], [1.15, 0.88, 0.90, 0.74, 1.21])
