@@ -16,6 +16,8 @@
 #   search_with_champion STUDY [TABLE]
 #                         the same, and keeps its champion with a small picture in champions.csv, or in another table
 #   trial STUDY SEED [N]  a long trial at three scales, and the table three_scales/SEED.csv; N generations in place of the study's
+#   each_archive PREFIX SUFFIX "EXPERIMENT PART" FUNCTION [WORD ...]
+#                         calls FUNCTION WORD... SEED ARCHIVE for the archives PREFIX SEED SUFFIX that there are, or says which part makes one
 #   "${generations[@]}"   an option for other calls of menger evolve
 # GENERATIONS=N in the environment gives the searches of the paper N generations, whatever their study says:
 #   GENERATIONS=325 ./run paper fractal two_scales_1
@@ -95,6 +97,18 @@ trial() {
   [ $code -eq 0 ] || exit $code
   mkdir -p "$study/three_scales"
   table "$out/generations.csv" "$study/three_scales/$2.csv"
+}
+
+each_archive() {
+  local archive seed found='' prefix=$1 suffix=$2 maker=$3
+  shift 3
+  for archive in "$prefix"[0-9]*"$suffix"; do
+    [ -e "$archive" ] || continue
+    found=yes
+    seed=${archive#"$prefix"}
+    "$@" "${seed%"$suffix"}" "$archive"
+  done
+  [ -n "$found" ] || say "there is no ${prefix}SEED$suffix yet; make one with ./run paper $maker"
 }
 
 table() { paper/tables.py take "$@"; }

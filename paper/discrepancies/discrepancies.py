@@ -27,13 +27,12 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
 from sample_statistics import OUTCOMES, bootstrap, difference_of_shares, mcnemar, median, rank_correlation, share, signed_rank, spearman, verdict  # noqa: E402
-from scale_invariance import angle_and_factor, by_chance, carries_over, of_all_pairs, same_way  # noqa: E402
+from scale_invariance import DURATION_S, angle_and_factor, by_chance, carries_over, of_all_pairs, same_way  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 from svg_figure import pyplot_for_svg, write_svg  # noqa: E402
 
 ROBOTS = 500
 CELL_EDGE_M = 0.01
-DURATION_S = 5.0  # of the paper's text
 LEAST_BODY_LENGTHS = 0.1  # in 5 s; whoever goes less stands still, and has no way that could change
 TEN = 10  # robots of which the best is chosen
 GROUPS = 2000  # drawn groups of ten

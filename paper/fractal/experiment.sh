@@ -37,21 +37,16 @@ done
 # shellcheck disable=SC2154  # $study is that of run_experiment.sh
 statistics() { "$study/trials.py"; }
 
-# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+# The robots of a trial: arm, seed, archive.
+# shellcheck disable=SC2154  # $results is that of run_experiment.sh
+individuals_of() {
+  menger export "$3" --output "$results/individuals/$1-$2" --individuals --levels 1 --no-frames --no-pictures
+}
+
 heredity() {
-  local arm prefix archive seed
-  for arm in fractal balanced control; do
-    case $arm in
-      fractal) prefix=$results/two_scales_ ;;
-      balanced) prefix=$results/two_scales_balanced_ ;;
-      control) prefix=build/paper/non_fractal/two_scales_ ;;
-    esac
-    for archive in "$prefix"[0-9]*.sqlite; do
-      [ -e "$archive" ] || continue
-      seed=${archive#"$prefix"}
-      menger export "$archive" --output "$results/individuals/$arm-${seed%.sqlite}" --individuals --levels 1 --no-frames --no-pictures
-    done
-  done
+  each_archive "$results/two_scales_" .sqlite "fractal two_scales_1" individuals_of fractal
+  each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced
+  each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control
   "$study/heredity.py" "$results/individuals"
 }
 

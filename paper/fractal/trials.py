@@ -23,10 +23,11 @@ from string import ascii_lowercase
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
 from sample_statistics import OUTCOMES, freeman_halton, mean, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
+from scale_invariance import LEVELS, PER_MINUTE  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
 
@@ -47,7 +48,6 @@ class Arm:
         return replace(self, label=f"{self.label}, longer", dashes=dashes, mark={"o": "x", "s": "+"}.get(self.mark, "*"))
 
 
-LEVELS = (1, 2, 3)
 NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v"),
@@ -61,9 +61,7 @@ DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
-DURATION_S = 5.0
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
-PER_MINUTE = 60.0 / DURATION_S
 
 
 class Trial:

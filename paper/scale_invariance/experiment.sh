@@ -47,22 +47,10 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "one_scale_balanced_$seed() { search_at_one_scale one_scale_balanced $seed; }"
 done
 
-# The champions of the archives of the experiment fractal that there are: group, what comes before a seed, what comes after it, the part
-# that makes them.
-champions_of() {
-  local archive seed found=
-  for archive in "$2"[0-9]*"$3"; do
-    [ -e "$archive" ] || continue
-    found=yes
-    seed=${archive#"$2"}
-    walks_of_champion "$1" "${seed%"$3"}" "$archive"
-  done
-  [ -n "$found" ] || say "scale_invariance: no search yet; make one with ./run paper fractal $4"
-}
-
-two_scales() { champions_of two_scales build/paper/fractal/two_scales_ .sqlite two_scales_1; }
-two_scales_balanced() { champions_of two_scales_balanced build/paper/fractal/two_scales_balanced_ .sqlite balanced_1; }
-three_scales() { champions_of three_scales build/paper/fractal/three_scales_ /trial.sqlite three_scales_40; }
+# The champions of the experiment fractal.
+two_scales() { each_archive build/paper/fractal/two_scales_ .sqlite "fractal two_scales_1" walks_of_champion two_scales; }
+two_scales_balanced() { each_archive build/paper/fractal/two_scales_balanced_ .sqlite "fractal balanced_1" walks_of_champion two_scales_balanced; }
+three_scales() { each_archive build/paper/fractal/three_scales_ /trial.sqlite "fractal three_scales_40" walks_of_champion three_scales; }
 
 # The scenes of champions with something changed, simulated, and the table of them.
 changed() {
