@@ -78,7 +78,7 @@ constexpr const char* example =
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
     "  menger export demo/run.sqlite -o demo/champion\n"
     "On a cluster, mpirun or srun starts it several times: mpirun -n 16 menger-evolve study.toml. All of them evaluate, the\n"
-    "first one also searches and keeps the archive. The same results, whatever their number.\n"
+    "first one also searches and keeps the archive. The same results, whatever their number, except in a steady state.\n"
     "Exit codes: 0 done, 2 wrong input, 3 no robot has a fitness, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
@@ -91,7 +91,8 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("study", arguments.study, "Study file")->required();
   app.add_option("-o,--output", arguments.archive, "Archive of the run; made if it does not exist")->capture_default_str();
   app.add_option("-t,--threads", arguments.threads,
-                 "Threads, of each process under mpirun; the result does not depend on them (default: cores, shared by the "
+                 "Threads, of each process under mpirun; the result does not depend on them, except with population.selection = "
+                 "\"steady_state\" (default: cores, shared by the "
                  "processes of a machine; for walks of finite elements on a graphics processor two for each multiprocessor)")
       ->check(CLI::Range(1, 1024));
   app.add_option("--rank-patience", arguments.rank_patience_s,
@@ -265,11 +266,10 @@ void print_refusals(const RunView& run) {
 
 /// Prints how many results are extrapolations, if there are any.
 void print_validity(const RunView& run, int last) {
-  const std::string physics_hash = io::content_hash(run.physics);
   std::uint64_t outside = 0;
   std::uint64_t all = 0;
   for (int generation = 0; generation <= last; ++generation) {
-    outside += run.archive->evaluations_outside_validity(generation, physics_hash);
+    outside += evaluations_outside_validity(run, generation);
     all += run.archive->generation(generation).evaluations;
   }
   if (outside == 0) return;

@@ -43,16 +43,16 @@ struct Arguments {
 };
 
 constexpr const char* description =
-    "Evaluates the best designs of a search on calibrated voxels again by finite elements: the hollow body of silicone on the\n"
-    "ground, driven by the same pressure for the same time.\n"
-    "Shows how well both models agree in distance, direction and ranking.\n"
+    "Lets the best robots of a search walk again on finite elements, such as finer ones: the hollow body of silicone on the\n"
+    "ground, driven by the same pressure for the same time. Compares these walks with those of the search, on calibrated voxels\n"
+    "or on finite elements: distance, direction and ranking.\n"
     "Finished runs are kept: run the same command again to resume. The results are also added to the archive.";
 
 constexpr const char* example =
     "Example:\n"
     "  menger reevaluate run.sqlite --top 5 --sample 15 --study paper/silicone/reevaluation.toml -o evaluated\n"
     "writes reevaluation.csv, ranking.csv, variants.csv, reevaluation.png, and winner/ with pictures and VTK files.\n"
-    "Exit codes: 0 done, 2 wrong input, 3 no design completed in both models, 130 interrupted.";
+    "Exit codes: 0 done, 2 wrong input, 3 no design completed in both walks, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   CLI::App app(description, "menger reevaluate");

@@ -70,7 +70,10 @@ struct Reevaluation {
   std::string protocol;  ///< everything that decides the result besides the body, as canonical text
   std::string variant;   ///< name of the protocol among those that were computed together; for display
   double duration_s = 0.0;
-  Evaluation result;  ///< its status is `stopped` only if a stated budget ended it
+
+  /// Its status is `stopped` only if a stated budget ended it. Read from an archive it has status, reason, displacement, steps
+  /// and seconds; displacements by period, elements, fidelity and validity are not kept.
+  Evaluation result;
 
   bool has_result = true;  ///< false: the other evaluator failed for `result.reason`; no status
 };

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "io/text/joined_text.h"
+
 namespace menger::evolution {
 
 ScenarioEvaluator::ScenarioEvaluator(std::vector<std::unique_ptr<DesignEvaluator>> scenarios) : scenarios_(std::move(scenarios)) {
@@ -55,6 +57,15 @@ std::vector<std::string> ScenarioEvaluator::scenarios() const {
   all.reserve(scenarios_.size());
   for (const auto& scenario : scenarios_) all.push_back(scenario->physics());
   return all;
+}
+
+std::string ScenarioEvaluator::remark() const {
+  std::vector<std::string> all;
+  for (const auto& scenario : scenarios_) {
+    std::string one = scenario->remark();
+    if (!one.empty() && std::ranges::find(all, one) == all.end()) all.push_back(std::move(one));
+  }
+  return io::joined(all, "; ");
 }
 
 double ScenarioEvaluator::cost(const meshes::Polycube& body, int level) const { return scenarios_.front()->cost(body, level); }

@@ -27,6 +27,8 @@ class ScenarioEvaluator final : public DesignEvaluator {
   /// Returns the physics of the first scenario.
   [[nodiscard]] std::string physics() const override;
   [[nodiscard]] std::vector<std::string> scenarios() const override;
+  /// Returns the remarks of all scenarios, each once.
+  [[nodiscard]] std::string remark() const override;
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 
  private:

@@ -41,9 +41,12 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
     if (!reason) return {std::move(genome), std::move(phenotype), draws};
     ++refusals[*reason];
   }
+  const bool is_fractal = options.decoder.plan == BodyPlan::fractal;
+  const std::string smallest =
+      is_fractal ? "smallest_body_cells = " + std::to_string(options.constraints.smallest_body)
+                 : "smallest_arranged_body_cells = " + std::to_string(options.constraints.smallest_arranged_body);
   throw io::InputError("the constraints of the study cannot be met: none of " + std::to_string(options.largest_draws) +
-                       " random bodies was valid (" + refusals_text(refusals) +
-                       "; smallest_body_cells = " + std::to_string(options.constraints.smallest_body) +
+                       " random bodies was valid (" + refusals_text(refusals) + "; " + smallest +
                        ", largest_body_cells = " + std::to_string(options.constraints.largest_body) + ", disconnected = \"" +
                        std::string(to_string(options.constraints.disconnected)) +
                        "\", castable = " + (options.constraints.castable ? "true" : "false") + ")");

@@ -5,7 +5,8 @@
 
 namespace menger::evolution {
 
-/// A body that leans more than this has fallen over: what a search takes (evaluation.largest_lean_deg), too.
+/// A body that leans more than this has fallen over: what a search takes, too, unless its study has another
+/// evaluation.largest_lean_deg.
 inline constexpr double largest_lean_deg = 45.0;
 
 /// That a body has fallen over in its walk.

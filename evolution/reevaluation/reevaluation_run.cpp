@@ -127,7 +127,7 @@ class Reevaluator {
       throw io::InputError(file + ": nonfractal bodies can be re-evaluated at level 1 only");
     const SelectionOptions options{
         .top = study_.top, .sample = study_.sample, .seed = study_.sample_seed, .distinction = distinction_of(study_.search)};
-    Selection selection =
+    DesignSelection selection =
         choose_designs(designs, options, [&](const meshes::Polycube& body) { return obstacle_to_reference(study_, body); });
     if (selection.chosen.empty())
       throw io::InputError(file + ": no design can be evaluated; reason for the best one: " + selection.refused.front().reason);

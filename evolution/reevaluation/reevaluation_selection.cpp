@@ -17,7 +17,7 @@ class Chooser {
   Chooser(const SelectionOptions& options, const std::function<std::string(const Polycube&)>& obstacle)
       : options_(options), obstacle_(obstacle) {}
 
-  Selection choose(std::span<const FitDesign> designs) {
+  DesignSelection choose(std::span<const FitDesign> designs) {
     collect(designs);
     found_.distinct = line_.size();
     std::size_t next = 0;
@@ -73,13 +73,13 @@ class Chooser {
   const SelectionOptions& options_;
   const std::function<std::string(const Polycube&)>& obstacle_;
   std::vector<ChosenDesign> line_;
-  Selection found_;
+  DesignSelection found_;
 };
 
 }  // namespace
 
-Selection choose_designs(std::span<const FitDesign> designs, const SelectionOptions& options,
-                         const std::function<std::string(const Polycube&)>& obstacle) {
+DesignSelection choose_designs(std::span<const FitDesign> designs, const SelectionOptions& options,
+                               const std::function<std::string(const Polycube&)>& obstacle) {
   assert(options.top >= 1);
   return Chooser(options, obstacle).choose(designs);
 }

@@ -32,7 +32,8 @@ struct RefusedDesign {
   std::string reason;
 };
 
-struct Selection {
+/// The designs that are evaluated, and those that cannot be.
+struct DesignSelection {
   std::vector<ChosenDesign> chosen;  ///< by rank: the best first
   std::vector<RefusedDesign> refused;
   std::size_t distinct = 0;  ///< robots with a fitness
@@ -52,7 +53,7 @@ struct SelectionOptions {
 /// @param designs the best first
 /// @param obstacle returns why a standing basal body cannot be evaluated, or an empty text if it can; called only for designs
 /// that would be chosen
-Selection choose_designs(std::span<const FitDesign> designs, const SelectionOptions& options,
-                         const std::function<std::string(const meshes::Polycube&)>& obstacle);
+DesignSelection choose_designs(std::span<const FitDesign> designs, const SelectionOptions& options,
+                               const std::function<std::string(const meshes::Polycube&)>& obstacle);
 
 }  // namespace menger::evolution

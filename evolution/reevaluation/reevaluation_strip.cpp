@@ -11,12 +11,11 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstdio>
 #include <string>
 
 #include "io/picture/chart_panel.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
 #include "voxel/picture/picture_parts.h"
@@ -126,10 +125,9 @@ class Strip {
     const int font_size = io::supersampling * style.height_px / 40;
     const auto place_x = [&](double across) { return (across - all.centre(0) + 0.5 * height * aspect) * pixels; };
     for (std::size_t column = 0; column < pairs_.size(); ++column) {
-      std::array<char, 32> text{};
-      std::snprintf(text.data(), text.size(), "%.2f s", pairs_[column].time_s);
+      const std::string text = io::formatted("%.2f s", pairs_[column].time_s);
       const double across = tile_.centre(0) + view_.coordinates(shift_of(column, 0))[0];
-      io::add_text(renderer, text.data(), place_x(across), 0.02 * io::supersampling * style.height_px, 0, -1, font_size);
+      io::add_text(renderer, text, place_x(across), 0.02 * io::supersampling * style.height_px, 0, -1, font_size);
     }
     for (const std::size_t row : {0U, 1U}) {
       const double top = tile_.high[1] + view_.coordinates(shift_of(0, row))[1];

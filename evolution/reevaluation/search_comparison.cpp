@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "io/text/formatted.h"
@@ -132,16 +131,14 @@ io::Chart comparison_chart(const std::vector<ComparedSearch>& searches) {
 
 std::string comparison_text(const std::vector<ComparedSearch>& searches, const ComparisonOptions& options) {
   std::string text;
-  std::array<char, 200> line{};
-  const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
-  add(std::snprintf(line.data(), line.size(), "%-20s %-16s %9s %14s %14s %12s\n", "search", "model", "evaluated", "total steps",
-                    "best [BL]", "in search"));
+  text +=
+      io::formatted("%-20s %-16s %9s %14s %14s %12s\n", "search", "model", "evaluated", "total steps", "best [BL]", "in search");
   for (const ComparedSearch& search : searches) {
     const auto best = search.best();
-    add(std::snprintf(line.data(), line.size(), "%-20.40s %-16s %9zu %14.4g %14s %12s\n", search.name.c_str(),
-                      std::string(to_string(search.model)).c_str(), search.robots.size(), total_of(search, options),
-                      best ? io::formatted("%.5f", *best->body_lengths).c_str() : "-",
-                      best ? io::formatted("%.5f", best->search_body_lengths).c_str() : "-"));
+    text += io::formatted("%-20.40s %-16s %9zu %14.4g %14s %12s\n", search.name.c_str(),
+                          std::string(to_string(search.model)).c_str(), search.robots.size(), total_of(search, options),
+                          best ? io::formatted("%.5f", *best->body_lengths).c_str() : "-",
+                          best ? io::formatted("%.5f", best->search_body_lengths).c_str() : "-");
   }
   for (const EvaluationModel model : models) {
     if (const auto median = median_outcome(searches, model))

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +25,9 @@
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/study/study_text.h"
 #include "io/text/content_hash.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/toml_text.h"
@@ -57,6 +58,9 @@ std::string displacement_text(const Displacement& displacement_m) {
   return io::toml_value_text(std::span<const double>(*displacement_m)) + " m";
 }
 
+/// The highest level that a champion is exported at.
+constexpr int largest_exported_level = 5;
+
 class Exporter {
  public:
   Exporter(const RunArchive& archive, const fs::path& folder, const ExportOptions& options)
@@ -78,8 +82,9 @@ class Exporter {
     if (options_.begins) options_.begins();
     for (const char* name :
          {"reference.csv", "corrections.csv", "scenarios.csv", "timings.csv", "schedule.csv", "check_dt.csv", "confirmed.csv",
-          "falls.csv", "individuals.csv", "niches.csv", "periods.csv", "refused.csv", "champion_walk.toml"})
+          "falls.csv", "individuals.csv", "niches.csv", "periods.csv", "refused.csv", "champion_walk.toml", "lineage.csv"})
       io::remove_if_there(folder_ / name);  // this export may not write them, and those of an earlier one would mislead
+    remove_other_champion();
     for (const auto& [name, table] : tables_) table.write(folder_ / name);
     if (result_.champion) write_champion();
     return std::move(result_);
@@ -133,9 +138,23 @@ class Exporter {
                              std::to_string(largest_level(plan)));
       }
       // Bodies with arrangements fit into any memory up to their largest level.
-      if (!arranged() && voxel::estimated_memory_bytes(champion().phenotype.body, level) > voxel::machine_memory_bytes()) {
+      if (!arranged() && voxel::estimated_memory_bytes(champion().phenotype.body, level, voxel::voxels_per_cell(study_.physics)) >
+                             voxel::machine_memory_bytes()) {
         throw io::InputError(name + ": the simulation would need more memory than this machine has");
       }
+    }
+  }
+
+  /// Removes what an earlier export left of another champion, at levels that this one may not write, too.
+  void remove_other_champion() const {
+    const fs::path file = folder_ / "champion.toml";
+    if (!io::is_file(file) || (result_.champion && io::read_whole(file) == meshes::design_text(design(1)))) return;
+    io::remove_if_there(file);
+    io::remove_if_there(folder_ / "champion.png");
+    for (int level = 1; level <= largest_exported_level; ++level) {
+      io::remove_if_there(folder_ / ("champion_level_" + std::to_string(level) + ".toml"));
+      io::remove_files(place_of(level), {"scene.toml", "result.toml", "trajectory.csv", "check_dt.csv", "robot.png",
+                                         "trajectory.png", "frames.pvd", "frames/*.vtu", "locomotion.toml", "manifest.json"});
     }
   }
 
@@ -326,7 +345,7 @@ class Exporter {
     for (const LevelResult& level : result_.levels) {
       if (level.scene.recorded_frames.empty()) continue;
       frames.push_back(level.scene.recorded_frames.back());
-      captions.push_back("level " + std::to_string(level.level) + ": " + std::to_string(level.cells) + " voxels");
+      captions.push_back("level " + std::to_string(level.level) + ": " + std::to_string(level.cells) + " cells");
     }
     const io::PictureOutcome picture = voxel::render_row(folder_ / "champion.png", frames, captions);
     if (!picture.written) add_note("no pictures: " + picture.missing);
@@ -370,21 +389,18 @@ ExportResult export_run(const RunArchive& archive, const fs::path& folder, const
 
 std::string export_text(const Study& study, const ExportResult& result) {
   std::string text;
-  std::array<char, 160> line{};
-  const auto add = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
-  add(std::snprintf(line.data(), line.size(), "%5s %8s %16s %14s %12s  %s\n", "level", "voxels", "displacement/m", "body lengths",
-                    "per minute", "status"));
+  text +=
+      io::formatted("%5s %8s %16s %14s %12s  %s\n", "level", "cells", "displacement/m", "body lengths", "per minute", "status");
   for (const LevelResult& level : result.levels) {
     const std::string status(io::to_string(level.scene.status));
     if (!level.scene.displacement_m) {
-      add(std::snprintf(line.data(), line.size(), "%5d %8zu %16s %14s %12s  %s\n", level.level, level.cells, "-", "-", "-",
-                        status.c_str()));
+      text += io::formatted("%5d %8zu %16s %14s %12s  %s\n", level.level, level.cells, "-", "-", "-", status.c_str());
       continue;
     }
     const double lengths = body_lengths(*level.scene.displacement_m, level.level, study.search.cell_edge_m);
     const double distance_m = meshes::horizontal_displacement(*level.scene.displacement_m);
-    add(std::snprintf(line.data(), line.size(), "%5d %8zu %16.6f %14.4f %12.2f  %s\n", level.level, level.cells, distance_m,
-                      lengths, lengths * 60.0 / study.duration_s, status.c_str()));
+    text += io::formatted("%5d %8zu %16.6f %14.4f %12.2f  %s\n", level.level, level.cells, distance_m, lengths,
+                          lengths * 60.0 / study.duration_s, status.c_str());
   }
   return text;
 }

@@ -30,7 +30,7 @@ struct ExportOptions {
 /// The champion's simulation at one level.
 struct LevelResult {
   int level = 1;
-  std::size_t cells = 0;
+  std::size_t cells = 0;     ///< of the whole body
   voxel::SceneResult scene;  ///< of a walk on finite elements its status, reason and displacement
 };
 

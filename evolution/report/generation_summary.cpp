@@ -88,12 +88,18 @@ DesignSummary summarise_design(const RunView& run, const Individual& individual,
   return summary;
 }
 
+std::uint64_t evaluations_outside_validity(const RunView& run, int generation) {
+  std::uint64_t outside = 0;
+  for (const std::string& physics_hash : run.physics_hashes())
+    outside += run.archive->evaluations_outside_validity(generation, physics_hash);
+  return outside;
+}
+
 GenerationSummary summarise_generation(const RunView& run, int generation) {
-  GenerationSummary summary{
-      .record = run.archive->generation(generation),
-      .champion = {},
-      .mean_fitness = {},
-      .outside_validity = run.archive->evaluations_outside_validity(generation, io::content_hash(run.physics))};
+  GenerationSummary summary{.record = run.archive->generation(generation),
+                            .champion = {},
+                            .mean_fitness = {},
+                            .outside_validity = evaluations_outside_validity(run, generation)};
   std::optional<PoolMember> best;
   double sum = 0.0;
   std::size_t count = 0;

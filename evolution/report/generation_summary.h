@@ -64,6 +64,11 @@ std::optional<std::size_t> shown_scenario(const SearchPlan& plan, int level, con
 
 /// Collects the results of an individual. @param member its entry in the pool of a generation
 DesignSummary summarise_design(const RunView& run, const Individual& individual, const PoolMember& member);
+
+/// Returns how many evaluations made for a generation left the range of validity of the model that decides who survives, in all
+/// scenarios. Evaluations that only screened new bodies do not count.
+std::uint64_t evaluations_outside_validity(const RunView& run, int generation);
+
 GenerationSummary summarise_generation(const RunView& run, int generation);
 
 /// Returns the individuals from a random one to this one, each the parent of the next.

@@ -35,7 +35,7 @@ MissingWalks missing_walks(std::span<const WalksAgain> asked, std::span<const Fi
   const MadeWalks made(archive);
   MissingWalks missing;
   auto& [evaluators, tasks, rows] = missing;
-  std::set<std::pair<std::string, std::string>> asked_for;  // several robots may have the same body
+  std::set<std::tuple<std::string, int, std::string>> asked_for;  // several robots may have the same body
   for (const WalksAgain& one : asked) {
     for (std::unique_ptr<DesignEvaluator>& scenario : scenario_evaluators_of(one.study)) {
       const std::string protocol = scenario->physics();
@@ -43,7 +43,7 @@ MissingWalks missing_walks(std::span<const WalksAgain> asked, std::span<const Fi
       for (const FitDesign& robot : robots) {
         const Phenotype simulated = as_simulated(one.study.search, robot.phenotype);
         const std::string design = design_hash(simulated, level);
-        if (made.in_scenarios({protocol}, design, level) || !asked_for.insert({design, protocol}).second) continue;
+        if (made.in_scenarios({protocol}, design, level) || !asked_for.insert({design, level, protocol}).second) continue;
         tasks.push_back({aggregate(simulated, level), level, evaluators.size()});
         rows.push_back({.design_hash = design,
                         .level = level,
@@ -85,14 +85,15 @@ io::RunStatus walk_again(std::span<const WalksAgain> asked, std::span<const FitD
 
 MadeWalks::MadeWalks(const RunArchive& archive) {
   for (const Reevaluation& one : archive.reevaluations())
-    if (one.has_result && one.result.status != io::RunStatus::stopped) walks_[{one.design_hash, one.protocol}] = one.result;
+    if (one.has_result && one.result.status != io::RunStatus::stopped)
+      walks_[{one.design_hash, one.level, one.protocol}] = one.result;
 }
 
 std::optional<KnownResults> MadeWalks::in_scenarios(const std::vector<std::string>& protocols, const std::string& design,
                                                     int level) const {
   KnownResults results;
   for (std::size_t scenario = 0; scenario < protocols.size(); ++scenario) {
-    const auto found = walks_.find({design, protocols[scenario]});
+    const auto found = walks_.find({design, level, protocols[scenario]});
     if (found == walks_.end()) return std::nullopt;
     results[{level, scenario}] = found->second;
   }

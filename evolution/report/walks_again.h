@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "evolution/archive/run_archive.h"
@@ -58,7 +58,7 @@ class MadeWalks {
                                                          int level) const;
 
  private:
-  std::map<std::pair<std::string, std::string>, Evaluation> walks_;  ///< by design and protocol
+  std::map<std::tuple<std::string, int, std::string>, Evaluation> walks_;  ///< by design, level and protocol
 };
 
 /// Returns why the first scenario without a displacement failed; empty if all have one.

@@ -68,7 +68,7 @@ struct Study {
   io::Device device = io::Device::cpu;
   Measure measure = Measure::net_displacement;
   std::size_t measure_periods = 5;  ///< how many periods count if the last ones are measured
-  /// On finite elements, if the last periods are measured: a body that leans more than this, in degrees, has fallen and has no
+  /// If the last periods are measured: a body that leans more than this, in degrees, has fallen and has no
   /// fitness; see fem::largest_lean. 180: none has.
   double largest_lean_deg = 45.0;
 
@@ -132,7 +132,8 @@ std::vector<std::string> outside_validity_of_all(const Study& study);
 /// range in this way, not all.
 std::vector<std::string> outside_validity_of_some(const Study& study);
 
-/// Returns the memory in bytes that evaluations in this many threads may take if every body is full. Saturates at SIZE_MAX.
+/// Returns the memory in bytes that evaluations in this many threads may take as voxels if every body is full. What finite
+/// elements take is not estimated. Saturates at SIZE_MAX.
 std::size_t estimated_memory_bytes(const Study& study, int threads);
 
 }  // namespace menger::evolution

@@ -149,12 +149,12 @@ void describe_which_walk(io::StudyVisitor& visitor, Study& study) {
 void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   using enum EvaluationModel;
   SearchPlan& plan = study.search;
-  visitor.word(
-      {"model",
-       "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
-       "single modules; both: voxels with the parameters of [surrogate] choose which new bodies walk on finite elements, "
-       "which alone decide who survives."},
-      study.model, io::words_of(voxels, finite_elements, both));
+  visitor.word({"model",
+                "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
+                "single modules or aggregates of one level; both: voxels with the parameters of [surrogate] choose which new "
+                "bodies walk on finite elements, "
+                "which alone decide who survives."},
+               study.model, io::words_of(voxels, finite_elements, both));
   // Archives of earlier versions do not have this key, and go on with it at its default.
   if (part == Part::whole || study.device != io::Device::cpu) {
     visitor.word({"device",
@@ -621,6 +621,7 @@ Study read_study(const std::filesystem::path& file, const StudyOverrides& overri
     require_none(unusable_elements(study));
     if (study.model == EvaluationModel::finite_elements) return study;
   }
+  voxel::check_friction(table, study.physics);
   if (const std::string problem = voxel::unusable_scales(study.physics, study.search.cell_edge_m, study.duration_s);
       !problem.empty()) {
     throw io::InputError(file.string() + ": " + problem);

@@ -57,7 +57,8 @@ std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& fil
 /// the text gives the same study.
 std::string resolved_text(const Study& study);
 
-/// Returns the same without the numbers of generations and of robots to confirm. One run can continue another exactly if these
+/// Returns the same without what decides only when a search ends and what follows: the number of generations, the budget, and the
+/// number of robots to confirm. One run can continue another exactly if these
 /// texts are equal.
 std::string identity_text(const Study& study);
 

@@ -1,12 +1,12 @@
 #include "evolution/trade_off/trade_off_search.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "evolution/archive/run_archive.h"
-#include "evolution/genome/decoder.h"
+#include "evolution/report/cost_table.h"
+#include "evolution/report/study_view.h"
+#include "evolution/study/study_file.h"
 #include "evolution/trade_off/trade_off_body.h"
 #include "evolution/trade_off/trade_off_elements.h"
 #include "evolution/trade_off/trade_off_variant.h"
@@ -205,16 +205,10 @@ void inflate_champion(TradeStudy study, double pressure_Pa, TradeRunner& runner,
 
 std::uint64_t archived_voxel_steps(const fs::path& archive_file) {
   const RunArchive archive = RunArchive::open_to_read(archive_file);
-  const std::vector<EvaluationSteps> evaluations = archive.evaluation_steps();
-  std::set<int> levels;
-  for (const EvaluationSteps& evaluated : evaluations) levels.insert(evaluated.level);
-  std::map<std::pair<std::string, int>, std::uint64_t> cells;
-  for (std::uint64_t id = 0; id < archive.next_id(); ++id) {
-    const Phenotype phenotype = archive.individual(id).phenotype;
-    for (const int level : levels) cells[{design_hash(phenotype, level), level}] = aggregate_cell_count(phenotype, level);
-  }
+  const RunView run = view_of(archive, archived_study(archive));
   std::uint64_t sum = 0;
-  for (const EvaluationSteps& evaluated : evaluations) sum += evaluated.steps * cells[{evaluated.design_hash, evaluated.level}];
+  for (int generation = 0; generation <= archive.last_generation().value_or(-1); ++generation)
+    sum += generation_cost(run, generation).voxel_steps;
   return sum;
 }
 

@@ -21,7 +21,7 @@ struct SearchRow {
   VoxelFidelity fidelity;
   int seed = 0;
   int generations = 0;
-  std::uint64_t voxel_steps = 0;                ///< steps times voxels, over all evaluations in the archive
+  std::uint64_t voxel_steps = 0;                ///< see archived_voxel_steps
   double seconds = 0.0;                         ///< of all generations
   std::string champion{};                       ///< digits of its basal body; empty if there is none
   std::optional<double> own_body_lengths{};     ///< displacement on the surrogate of the search
@@ -57,7 +57,8 @@ void inflate_champion(TradeStudy study, double pressure_Pa, TradeRunner& runner,
 /// Returns the number of searches that found a champion.
 std::size_t found_count(const SearchTrade& trade);
 
-/// Returns the steps times voxels over all evaluations in an archive of `menger evolve`. @throws io::InputError if it is not one
+/// Returns the steps times voxels over all evaluations of the finished generations in an archive of `menger evolve`, see
+/// generation_cost. @throws io::InputError if it is not one
 std::uint64_t archived_voxel_steps(const std::filesystem::path& archive_file);
 
 /// Makes a table with a row per search.

@@ -228,7 +228,12 @@ TradeStudy read_trade_study(const fs::path& file) {
     for (const fs::path& parameters : study.settling->parameters) io::note_input(study.inputs, parameters);
   }
   if (study.gait && study.gait->scene) note_variant(study, *study.gait->scene);
-  if (study.search) note_variant(study, study.search->study);
+  if (study.search) {
+    const fs::path& evolved = study.search->study;
+    if (io::read_toml(evolved).has("budget"))
+      throw io::InputError(evolved.string() + ": budget: would end the searches before search.voxel_steps of " + file.string());
+    note_variant(study, evolved);
+  }
   return study;
 }
 

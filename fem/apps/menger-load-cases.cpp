@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -96,13 +94,12 @@ std::string shown_seconds(double seconds) {
 }
 
 void print(const fem::CaseOutcome& outcome) {
-  std::array<char, 160> line{};
-  std::snprintf(line.data(), line.size(), "%-28s %-10s %3zu states  %-14s %s", outcome.name.c_str(),
-                std::string(meshes::to_string(outcome.kind)).c_str(), outcome.states,
-                std::string(io::to_string(outcome.status)).c_str(),
-                outcome.from_cache ? "from the cache" : shown_seconds(outcome.seconds).c_str());
-  std::cout << line.data() << '\n';
+  std::cout << io::formatted("%-28s %-10s %3zu states  %-14s %s\n", outcome.name.c_str(),
+                             std::string(meshes::to_string(outcome.kind)).c_str(), outcome.states,
+                             std::string(io::to_string(outcome.status)).c_str(),
+                             outcome.from_cache ? "from the cache" : shown_seconds(outcome.seconds).c_str());
   if (!outcome.reason.empty()) std::cout << "  " << outcome.reason << '\n';
+  if (!outcome.missing_picture.empty()) std::cout << "  no picture: " << outcome.missing_picture << '\n';
   std::cout << std::flush;
 }
 

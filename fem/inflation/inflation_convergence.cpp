@@ -10,6 +10,7 @@
 #include "fem/space/rank_agreement.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/whole_file.h"
 
 namespace menger::fem {
 namespace {
@@ -118,6 +119,7 @@ std::vector<InflationResult> run_convergence(const InflationStudy& study, int re
     finest.refinements += refinements;
     require_memory(finest, make_problem(study).mesh);
   });
+  on_first_rank(options.communicator, [&] { io::remove_files(folder, {"convergence.csv", "convergence.png"}); });
   std::vector<InflationResult> results;
   for (int n = 0; n <= refinements; ++n) {
     if (begun) begun(n);

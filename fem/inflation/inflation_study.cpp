@@ -6,6 +6,7 @@
 
 #include "fem/inflation/inflation_study_words.h"
 #include "io/study/study_text.h"
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "meshes/design/hollow_body_file.h"
 
@@ -30,13 +31,17 @@ std::size_t count_of(const std::vector<Value>& values, const std::string& name, 
       std::count_if(values.begin(), values.end(), [&](const Value& value) { return value.*member == name; }));
 }
 
-/// Describes a name that is valid in the head of a column and that no other value has.
+/// Describes a name that is valid in the head of a column, and gives a column that no other value has.
 template <class Value>
 void describe_name(io::StudyVisitor& visitor, const io::Key& key, Value& value, const std::vector<Value>& all) {
   visitor.text(key, value.name);
   visitor.check(!value.name.empty() && value.name.find_first_of(",\"\n\r") == std::string::npos, key.name,
                 "must be a name without comma, quote or line break");
-  visitor.check(count_of(all, value.name, &Value::name) == 1, key.name, "is given twice");
+  for (const Value& other : all) {
+    if (&other == &value || io::column_part(other.name) != io::column_part(value.name)) continue;
+    const std::string columns = "names the same columns as \"" + other.name + "\"";
+    visitor.check(false, key.name, other.name == value.name ? "is given twice" : columns);
+  }
 }
 
 void describe_design_table(io::StudyVisitor& visitor, InflationStudy& study) {

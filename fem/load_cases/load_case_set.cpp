@@ -57,6 +57,7 @@ class SetRun {
       : study_(study), folder_("menger-load-cases", folder), options_(options) {}
 
   std::vector<CaseOutcome> run() {
+    on_first_rank(options_.communicator, [&] { folder_.begin({}); });
     std::vector<CaseOutcome> outcomes;
     for (index_ = 0; index_ < study_.cases.size(); ++index_) {
       outcomes.push_back(run_case(study_.cases[index_]));
@@ -102,7 +103,9 @@ class SetRun {
     curve->provenance.inputs = study_.inputs;
     on_first_rank(options_.communicator, [&] {
       meshes::write_response_curve(folder_.path(), *curve);
-      if (options_.pictures) draw_response_curve(folder_.file(request.load_case.name + ".png"), *curve);
+      const std::string picture = request.load_case.name + ".png";
+      folder_.remove({picture});  // of an earlier curve, if none is drawn now
+      if (options_.pictures) outcome.missing_picture = draw_response_curve(folder_.file(picture), *curve).missing;
     });
     return outcome;
   }

@@ -19,6 +19,8 @@ struct CaseOutcome {
   std::size_t states = 0;   ///< rows of the curve that was written; 0: no curve was written
   bool from_cache = false;  ///< whether nothing had to be computed
   double seconds = 0.0;     ///< processor time of this run
+  std::string
+      missing_picture{};  ///< why its picture could not be drawn, on the first rank; empty if it was, or none was asked for
 };
 
 /// Options of a set that do not change its results.

@@ -110,8 +110,8 @@ class LocomotionRun {
     result_.seconds = seconds_;
     trajectory_table(result_).write(folder_.file("trajectory.csv"));
     if (study_.output.pictures && result_.status != io::RunStatus::stopped) draw();
-    folder_.finish(io::TomlText().add("notes", result_.notes).lines(locomotion_text(study_)).text(), study_.inputs);
     io::write_whole(folder_.file("locomotion.toml"), result_text(result_));
+    folder_.finish(io::TomlText().add("notes", result_.notes).lines(locomotion_text(study_)).text(), study_.inputs);
   }
 
   void draw() {

@@ -15,7 +15,7 @@ constexpr double gigabyte = 1e9;
 constexpr double program_bytes = 0.185e9;
 
 /// The memory that grows with the body, in bytes. Fitted to what was measured on bodies with one to three elements through their
-/// walls; fem/README.md has the comparison.
+/// walls; tests/benchmark/memory.md has the comparison.
 struct Costs {
   double direct;     ///< per unknown: elements, the stiffness with its pattern, and the smallest factors
   double fill;       ///< of the factors, per unknown and cube root of unknowns, as nested dissection fills them

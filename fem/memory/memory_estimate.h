@@ -22,7 +22,7 @@ BodySize body_size(const meshes::HexahedralMesh& mesh, int degree, int refinemen
 /// pattern of the stiffness while it is made, the stiffness itself, and its factors or its multigrid.
 ///
 /// Above LinearOptions::largest_direct_size automatic means the smaller one of both methods, with the analysis of the factors:
-/// the solver never chooses the direct one where memory is short. Within 8 % of what was measured, see fem/README.md.
+/// the solver never chooses the direct one where memory is short. Within 8 % of what was measured, see tests/benchmark/memory.md.
 double estimated_memory_bytes(const BodySize& size, int degree, const LinearOptions& options);
 
 /// Returns why a body does not fit into the memory of this machine; empty if it does.

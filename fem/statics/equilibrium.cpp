@@ -232,7 +232,7 @@ bool Equilibrium::evaluate(Vec x) {
 /// Evaluates the equation of every plenum. @return whether each can be evaluated
 bool Equilibrium::close_plena() {
   const std::vector<double> volumes = plenum_volumes(totals_);
-  closures_.assign(body_.plenum_count, {0.0, 1.0, 0.0});
+  closures_.assign(body_.plenum_count, {0.0, 1.0});
   bool are_closed = true;
   for (std::size_t p = 0; p < body_.plenum_count; ++p) {
     if (!is_free(p)) continue;

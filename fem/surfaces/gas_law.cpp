@@ -18,7 +18,7 @@ std::optional<GasVolume> gas_volume(const GasLaw& gas, double pressure_Pa) {
   if (!(absolute_Pa > 0.0)) return std::nullopt;
   const double reference_Pa = gas.reference_pressure_Pa + gas.ambient_pressure_Pa;
   const double volume = gas.amount * gas.reference_volume_m3 * std::pow(reference_Pa / absolute_Pa, 1.0 / gas.exponent);
-  return GasVolume{.volume_m3 = volume, .derivative_m3_Pa = -volume / (gas.exponent * absolute_Pa)};
+  return GasVolume{.volume_m3 = volume, .derivative_m3_per_Pa = -volume / (gas.exponent * absolute_Pa)};
 }
 
 std::optional<double> gas_pressure_Pa(const GasLaw& gas, double volume_m3) {
@@ -43,12 +43,12 @@ double gas_work_J(const GasLaw& gas, double from_volume_m3, double to_volume_m3)
 
 std::optional<PlenumClosure> plenum_closure(const PlenumControl& control, double pressure_Pa, double volume_m3) {
   if (const auto* pressure = std::get_if<PressureControl>(&control))
-    return PlenumClosure{.residual = pressure_Pa - pressure->pressure_Pa, .by_pressure = 1.0, .by_volume = 0.0};
+    return PlenumClosure{.residual = pressure_Pa - pressure->pressure_Pa, .by_pressure = 1.0};
   if (const auto* volume = std::get_if<VolumeControl>(&control))
-    return PlenumClosure{.residual = volume_m3 - volume->volume_m3, .by_pressure = 0.0, .by_volume = 1.0};
+    return PlenumClosure{.residual = volume_m3 - volume->volume_m3, .by_pressure = 0.0};
   const std::optional<GasVolume> gas = gas_volume(std::get<GasLaw>(control), pressure_Pa);
   if (!gas) return std::nullopt;
-  return PlenumClosure{.residual = volume_m3 - gas->volume_m3, .by_pressure = -gas->derivative_m3_Pa, .by_volume = 1.0};
+  return PlenumClosure{.residual = volume_m3 - gas->volume_m3, .by_pressure = -gas->derivative_m3_per_Pa};
 }
 
 }  // namespace menger::fem

@@ -24,8 +24,8 @@ bool is_valid(const GasLaw& gas);
 
 /// The volume W(p) of a gas, and its derivative.
 struct GasVolume {
-  double volume_m3;         ///< W > 0
-  double derivative_m3_Pa;  ///< dW/dp < 0, m^3/Pa
+  double volume_m3;             ///< W > 0
+  double derivative_m3_per_Pa;  ///< dW/dp < 0
 };
 
 /// Returns the volume that the gas has at the gauge pressure p, W = a V0 ((p0 + p_ambient) / (p + p_ambient))^(1/n); nothing if
@@ -51,9 +51,8 @@ using PlenumControl = std::variant<PressureControl, VolumeControl, GasLaw>;
 
 /// The residual and derivatives of the equation c(p, V) = 0 that closes a plenum. V is the volume of its chambers.
 struct PlenumClosure {
-  double residual;  ///< p - p_given (Pa), V - V_given (m^3) or V - W(p) (m^3)
-  double by_pressure;
-  double by_volume;
+  double residual;     ///< p - p_given (Pa), V - V_given (m^3) or V - W(p) (m^3)
+  double by_pressure;  ///< dc/dp; dc/dV is 0 where the pressure is given, else 1
 };
 
 /// Returns the closure at a state; nothing if the gas has no volume at that pressure.

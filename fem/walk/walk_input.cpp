@@ -98,7 +98,13 @@ void check(const StudyGround& ground) {
          "must be at least the kinetic one");
   const double stiffness = ground.stiffness_Pa_per_m.value_or(1.0);
   demand(stiffness > 0.0, "ground.stiffness_Pa_per_m", stiffness, "must be > 0");
+  demand(friction.regularisation_speed_m_per_s >= 0.0, "ground.regularisation_speed_m_per_s",
+         friction.regularisation_speed_m_per_s, "must be >= 0");
   if (!friction.directional) return;
+  const double backward = friction.directional->backward_factor;
+  const double sideways = friction.directional->sideways_factor;
+  demand(backward >= 0.0, "ground.directional.backward_factor", backward, "must be >= 0");
+  demand(sideways >= 0.0, "ground.directional.sideways_factor", sideways, "must be >= 0");
   const auto& [x, y] = friction.directional->forward;
   demand(std::hypot(x, y) > 0.0, "ground.directional.forward", x, "must be two numbers that are not both 0");
 }

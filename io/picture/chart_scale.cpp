@@ -1,11 +1,11 @@
 #include "io/picture/chart_scale.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include "io/text/formatted.h"
 
 namespace menger::io {
 namespace {
@@ -15,12 +15,6 @@ constexpr double near_zero = 0.3;     // data that begin within this part of the
 constexpr double rounding = 1e-9;     // of a step, by which a tick may lie outside; of a value, below which a span counts as zero
 constexpr int most_decades = 8;       // with a label each
 constexpr int most_fine_decades = 5;  // with small ticks between
-
-std::string formatted(const char* format, int digits, double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, digits, value);
-  return text.data();
-}
 
 /// Returns the distance of ticks: 1, 2 or 5 times a power of ten, so that about six ticks fit in the span.
 double step_of(double span) {

@@ -15,7 +15,7 @@ struct PictureStyle {
 };
 
 /// Whether a picture was written.
-struct PictureOutcome {
+struct [[nodiscard]] PictureOutcome {
   bool written = false;
   std::string missing{};  ///< what is missing if none was written, and how to get it
 };

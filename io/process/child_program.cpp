@@ -51,7 +51,7 @@ class Descriptor {
 };
 
 /// Runs in the child between fork and exec. It uses only calls that are allowed there in a program with several threads.
-[[noreturn]] void become(char* const* words, const char* folder, const std::array<int, 3>& streams, int report) {
+[[noreturn]] void become(char* const* words, const char* folder, const std::array<int, 3>& streams, int report, pid_t parent) {
   // On an error the child can only send its number through the pipe.
   const auto give_up = [report] {
     const int error = errno;
@@ -60,6 +60,7 @@ class Descriptor {
   };
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // NOLINT(cppcoreguidelines-pro-type-vararg): POSIX
+  if (::getppid() != parent) ::_exit(127);
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
   sigset_t none;
@@ -91,10 +92,11 @@ pid_t start(const ChildProgram& child) {
   for (std::string& text : texts) words.push_back(text.data());
   words.push_back(nullptr);
 
+  const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process < 0) fail(child.program, "cannot be started", errno);
   if (process == 0) {
-    become(words.data(), child.folder.c_str(), {in.number(), out.number(), err.number()}, report.number());
+    become(words.data(), child.folder.c_str(), {in.number(), out.number(), err.number()}, report.number(), parent);
   }
   ::setpgid(process, process);  // in both processes, so that it is done before either continues
   report.close();

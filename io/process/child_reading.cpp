@@ -1,6 +1,7 @@
 #include "io/process/child_reading.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,9 +66,12 @@ void bound_memory(const std::filesystem::path& file) {
 }
 
 /// What the child does: it answers through the pipe and ends without the clean-up that belongs to its parent.
-[[noreturn]] void answer(const std::filesystem::path& file, const std::function<std::string()>& read, int pipe) {
+[[noreturn]] void answer(const std::filesystem::path& file, const std::function<std::string()>& read, int pipe, pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // NOLINT(cppcoreguidelines-pro-type-vararg): POSIX
+  if (::getppid() != parent) ::_exit(1);
   // The handlers of this program, or of MPI, would print and wait for others.
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM}) ::signal(signal, SIG_DFL);
+  ::signal(SIGINT, SIG_IGN);  // Ctrl-C reaches both processes: the parent decides what it means
   const rlimit no_core{};
   (void)::setrlimit(RLIMIT_CORE, &no_core);
   bound_memory(file);
@@ -94,10 +98,11 @@ std::string read_in_child(const std::filesystem::path& file, const std::string& 
   const auto reason_of = [](int error) { return std::generic_category().message(error); };
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw fault("cannot be read: " + reason_of(errno));
+  const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(pipe[0]);
-    answer(file, read, pipe[1]);
+    answer(file, read, pipe[1], parent);
   }
   const int error = errno;
   ::close(pipe[1]);
@@ -107,8 +112,11 @@ std::string read_in_child(const std::filesystem::path& file, const std::string& 
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (WIFSIGNALED(status)) {
-    throw fault("is damaged: the library of " + library + ", which reads it, ended with signal " +
-                std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")");
+    const int signal = WTERMSIG(status);
+    const std::string named = "signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
+    if (signal == SIGKILL || signal == SIGTERM)
+      throw std::runtime_error(file.string() + ": its reader was ended by " + named + ", maybe for want of memory");
+    throw fault("is damaged: the library of " + library + ", which reads it, ended with " + named);
   }
   if (reply.empty() || WEXITSTATUS(status) != 0) throw std::runtime_error(file.string() + ": its reader ended without an answer");
   switch (reply.front()) {

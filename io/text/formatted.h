@@ -1,14 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
 namespace menger::io {
 
-/// Returns a number as std::snprintf writes it, for people. For files use number_text, which loses no digits.
-/// @param format a format with one conversion of a double
-std::string formatted(const char* format, double value);
+/// Returns what std::snprintf writes, whole and however long, for people. For numbers in files use number_text, which loses no
+/// digits.
+/// @param values a value for each conversion of the format, of its type
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  const int length = std::snprintf(nullptr, 0, format, values...);
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');
+  std::snprintf(text.data(), text.size(), format, values...);
+  text.pop_back();  // the null that ends it
+  return text;
+}
 
 /// Returns a number in a few significant digits, for people, without trailing zeros (%.4g).
 std::string shown(double value, int digits = 4);

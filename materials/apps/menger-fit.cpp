@@ -1,6 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -64,20 +62,15 @@ void check(const Arguments& arguments) {
 }
 
 void print(const materials::FitReport& report) {
-  std::array<char, 160> row{};
-  std::snprintf(row.data(), row.size(), "%-27s %10s %10s %9s %9s  %-8s %s", "law", "mu (kPa)", "rmse (kPa)", "R2", "AIC",
-                "stable", "biaxial/uniaxial");
-  std::cout << row.data() << '\n';
+  std::cout << io::formatted("%-27s %10s %10s %9s %9s  %-8s %s\n", "law", "mu (kPa)", "rmse (kPa)", "R2", "AIC", "stable",
+                             "biaxial/uniaxial");
   for (const materials::LawFit& fit : report.ranking) {
     const std::string ratio = fit.equibiaxial_ratio ? io::shown(*fit.equibiaxial_ratio) : "-";
     const char* stable = !fit.stable ? "no" : fit.stable_with_margin ? "yes" : "barely";
-    std::snprintf(row.data(), row.size(), "%-27s %10.4g %10.4g %9.6f %9.1f  %-8s %s%s", fit.name.c_str(),
-                  1e-3 * materials::shear_modulus_at_rest_Pa(fit.law), 1e-3 * fit.rmse_Pa, fit.r_squared, fit.aic, stable,
-                  ratio.c_str(),
-                  !fit.plausible   ? " (not of silicone)"
-                  : fit.cancelling ? " (terms cancel)"
-                                   : "");
-    std::cout << row.data() << '\n';
+    const char* doubt = !fit.plausible ? " (not of silicone)" : fit.cancelling ? " (terms cancel)" : "";
+    std::cout << io::formatted("%-27s %10.4g %10.4g %9.6f %9.1f  %-8s %s%s\n", fit.name.c_str(),
+                               1e-3 * materials::shear_modulus_at_rest_Pa(fit.law), 1e-3 * fit.rmse_Pa, fit.r_squared, fit.aic,
+                               stable, ratio.c_str(), doubt);
   }
 }
 
@@ -116,6 +109,7 @@ int run(int argc, const char* const* argv) {
   }
 
   const std::string hash = io::file_hash(arguments.test);
+  folder.begin({"fits.toml", "curves.csv", "fits.png"});
   materials::write_fits(arguments.folder, report, test);
   const io::PictureOutcome chart = arguments.no_pictures
                                        ? io::PictureOutcome{.written = true}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "materials/laws/invariant_energy.h"
 
@@ -15,6 +16,7 @@ struct ArrudaBoyce {
   double shear_modulus_Pa = 0.0;  ///< mu > 0, a coefficient; the shear modulus at rest is larger
   double locking_stretch = 1.0;   ///< lm > 0
 
+  static constexpr std::string_view name = "arruda_boyce";
   static constexpr bool uses_second_invariant = false;
   static constexpr std::array<double, 5> coefficients{1.0 / 2.0, 1.0 / 20.0, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673750.0};
 

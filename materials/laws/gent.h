@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "materials/laws/accurate_functions.h"
 #include "materials/laws/invariant_energy.h"
 
@@ -13,6 +15,7 @@ struct Gent {
   double shear_modulus_Pa = 0.0;  ///< mu > 0
   double locking_excess = 1.0;    ///< Jm > 0, the value of I1 - 3 at which the chains are straight
 
+  static constexpr std::string_view name = "gent";
   static constexpr bool uses_second_invariant = false;
 
   template <class T>

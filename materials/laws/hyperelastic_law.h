@@ -12,7 +12,7 @@
 
 namespace menger::materials {
 
-/// Any of the laws, for files and fits. A loop over elements visits it once, outside the loop.
+/// Any of the laws, for files and fits. A loop over elements visits it once, outside the loop. The first one is the default.
 using HyperelasticLaw = std::variant<NeoHookean, MooneyRivlin, Yeoh, Ogden<1>, Ogden<2>, Ogden<3>, Gent, ArrudaBoyce>;
 
 /// Returns the word for a law in files: "neo_hookean", "mooney_rivlin", "yeoh", "ogden1" to "ogden3", "gent", "arruda_boyce".

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <limits>
+#include <string_view>
 
 #include "io/device/host_device.h"
 
@@ -29,6 +30,7 @@ MENGER_HOST_DEVICE auto is_below_infinity(const T& x1) {
 template <class Law>
 concept InvariantLaw = requires(const Law& law, double x1, double x2) {
   { law.energy(x1, x2) } -> std::same_as<InvariantEnergy<double>>;
+  { Law::name } -> std::convertible_to<std::string_view>;  // in files
   { Law::uses_second_invariant } -> std::convertible_to<bool>;
   { law.is_within_limit(x1) } -> std::convertible_to<bool>;
   { law.shear_modulus_at_rest_Pa() } -> std::convertible_to<double>;

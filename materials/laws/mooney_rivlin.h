@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "materials/laws/invariant_energy.h"
 
 namespace menger::materials {
@@ -9,6 +11,7 @@ struct MooneyRivlin {
   double c10_Pa = 0.0;
   double c01_Pa = 0.0;  ///< a fit to tension alone often makes it negative, and the law unstable
 
+  static constexpr std::string_view name = "mooney_rivlin";
   static constexpr bool uses_second_invariant = true;
 
   template <class T>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "materials/laws/invariant_energy.h"
 
 namespace menger::materials {
@@ -8,6 +10,7 @@ namespace menger::materials {
 struct NeoHookean {
   double shear_modulus_Pa = 0.0;  ///< mu > 0
 
+  static constexpr std::string_view name = "neo_hookean";
   static constexpr bool uses_second_invariant = false;
 
   template <class T>

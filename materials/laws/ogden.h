@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace menger::materials {
 
@@ -23,6 +24,7 @@ struct OgdenTerm {
 template <std::size_t term_count>
 struct Ogden {
   static_assert(term_count >= 1 && term_count <= 3);
+  static constexpr std::string_view name = std::array{"ogden1", "ogden2", "ogden3"}[term_count - 1];
   std::array<OgdenTerm, term_count> terms;
 
   [[nodiscard]] double shear_modulus_at_rest_Pa() const {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/text/joined_text.h"
@@ -18,16 +20,12 @@ namespace {
 
 enum class Convention { ogden, abaqus };
 
+using EveryKind = std::make_index_sequence<std::variant_size_v<HyperelasticLaw>>;
+
 /// Returns the kinds of laws (their indices) by name.
-const io::Words<std::size_t>& law_words() {
-  static const io::Words<std::size_t> words = [] {
-    io::Words<std::size_t> all;
-    const std::vector<HyperelasticLaw> laws{NeoHookean{}, MooneyRivlin{}, Yeoh{}, Ogden<1>{},
-                                            Ogden<2>{},   Ogden<3>{},     Gent{}, ArrudaBoyce{}};
-    for (const HyperelasticLaw& law : laws) all.emplace_back(name_of(law), law.index());
-    return all;
-  }();
-  return words;
+template <std::size_t... kinds>
+io::Words<std::size_t> law_words(std::index_sequence<kinds...>) {
+  return {{std::variant_alternative_t<kinds, HyperelasticLaw>::name, kinds}...};
 }
 
 void describe_parameters(io::StudyVisitor& visitor, NeoHookean& law) {
@@ -58,10 +56,10 @@ void describe_parameters(io::StudyVisitor& visitor, Ogden<n>& law) {
   Convention convention = Convention::ogden;
   visitor.word({"convention", "Meaning of the moduli. ogden: W = sum mu/alpha (...); abaqus: W = sum 2 mu/alpha^2 (...)."},
                convention, io::Words<Convention>{{"ogden", Convention::ogden}, {"abaqus", Convention::abaqus}});
-  visitor.numbers({"moduli_Pa", "Modulus of each term.", moduli_examples.at(n - 1)}, moduli_Pa, io::any_number(),
-                  {.fewest = n, .most = n});
-  visitor.numbers({"exponents", "Exponent of each term, not 0.", exponent_examples.at(n - 1)}, exponents, io::any_number(),
-                  {.fewest = n, .most = n});
+  visitor.numbers({"moduli_Pa", "Moduli of the terms, as many as the name of the law says.", moduli_examples.at(n - 1)},
+                  moduli_Pa, io::any_number(), {.fewest = n, .most = n});
+  visitor.numbers({"exponents", "Exponents of the terms, as many, none of them 0.", exponent_examples.at(n - 1)}, exponents,
+                  io::any_number(), {.fewest = n, .most = n});
   for (std::size_t p = 0; p < std::min({n, moduli_Pa.size(), exponents.size()}); ++p) {
     visitor.check(exponents[p] != 0.0, "exponents", "must not be 0", {p});
     law.terms[p] = convention == Convention::ogden ? OgdenTerm{moduli_Pa[p], exponents[p]}
@@ -83,13 +81,17 @@ void describe_parameters(io::StudyVisitor& visitor, ArrudaBoyce& law) {
 }
 
 /// Describes the keys of one kind of law, which have a meaning only if the law is of this kind.
-template <class Law>
-void describe_kind(io::StudyVisitor& visitor, HyperelasticLaw& law, std::size_t kind) {
+template <std::size_t kind>
+void describe_kind(io::StudyVisitor& visitor, HyperelasticLaw& law, std::size_t chosen) {
+  using Law = std::variant_alternative_t<kind, HyperelasticLaw>;
   Law own = std::holds_alternative<Law>(law) ? std::get<Law>(law) : Law{};
-  const HyperelasticLaw any = Law{};
-  const bool is_chosen = any.index() == kind;
-  visitor.only_if(is_chosen, "name = \"" + std::string(name_of(any)) + "\"", [&] { describe_parameters(visitor, own); });
-  if (is_chosen) law = own;
+  visitor.only_if(kind == chosen, "name = \"" + std::string(Law::name) + "\"", [&] { describe_parameters(visitor, own); });
+  if (kind == chosen) law = own;
+}
+
+template <std::size_t... kinds>
+void describe_kinds(io::StudyVisitor& visitor, HyperelasticLaw& law, std::size_t chosen, std::index_sequence<kinds...>) {
+  (describe_kind<kinds>(visitor, law, chosen), ...);
 }
 
 void take(const SourcedLaw& chosen, StudyLaw& law) {
@@ -181,15 +183,8 @@ StudyLaw recommended_law(const std::filesystem::path& file) {
 
 void describe(io::StudyVisitor& visitor, HyperelasticLaw& law) {
   std::size_t kind = law.index();
-  visitor.word({"name", "Kind of law.", "\"neo_hookean\""}, kind, law_words());
-  describe_kind<NeoHookean>(visitor, law, kind);
-  describe_kind<MooneyRivlin>(visitor, law, kind);
-  describe_kind<Yeoh>(visitor, law, kind);
-  describe_kind<Ogden<1>>(visitor, law, kind);
-  describe_kind<Ogden<2>>(visitor, law, kind);
-  describe_kind<Ogden<3>>(visitor, law, kind);
-  describe_kind<Gent>(visitor, law, kind);
-  describe_kind<ArrudaBoyce>(visitor, law, kind);
+  visitor.word({"name", "Kind of law.", "\"neo_hookean\""}, kind, law_words(EveryKind()));
+  describe_kinds(visitor, law, kind, EveryKind());
   const double modulus_Pa = visitor.source() == nullptr ? 1.0 : shear_modulus_at_rest_Pa(law);
   visitor.check(modulus_Pa > 0.0, "name", "the shear modulus at rest is " + io::number_text(modulus_Pa) + " Pa, it must be > 0");
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "materials/laws/invariant_energy.h"
 
 namespace menger::materials {
@@ -10,6 +12,7 @@ struct Yeoh {
   double c20_Pa = 0.0;
   double c30_Pa = 0.0;
 
+  static constexpr std::string_view name = "yeoh";
   static constexpr bool uses_second_invariant = false;
 
   template <class T>

@@ -14,6 +14,7 @@
 #include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/number_text.h"
+#include "io/text/whole_file.h"
 #include "meshes/design/hollow_body_file.h"
 #include "meshes/files/gmsh_mesh.h"
 #include "meshes/files/vtu_mesh.h"
@@ -152,6 +153,7 @@ int run(int argc, const char* const* argv) {
   io::note_input(manifest.inputs, arguments.input);
   const MeshToWrite result = is_gmsh ? convert(arguments, manifest) : mesh_design(arguments, manifest);
   const std::filesystem::path base = arguments.output.parent_path() / arguments.output.stem();
+  for (const char* beside : {"_manifest.json", "_quality.csv"}) io::remove_if_there(base.string() + beside);  // of another mesh
   meshes::write_vtu_mesh(arguments.output, result.mesh);
   meshes::quality_table(result.quality).write(base.string() + "_quality.csv");
   manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

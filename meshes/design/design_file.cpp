@@ -96,7 +96,7 @@ void describe_layers(io::StudyVisitor& visitor, Design& design) {
   visitor.text_rows(
       {"layers",
        "The body in layers from the ground up: each layer has rows of constant y, with x along the row. 0 is empty, 1 and 2 are "
-       "materials.",
+       "the two materials. A hollow body is cast of one silicone; there they may be filled apart (chambers = \"per-phase\").",
        example},
       layers);
   if (const io::TomlTable* table = visitor.source())

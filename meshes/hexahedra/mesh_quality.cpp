@@ -1,10 +1,8 @@
 #include "meshes/hexahedra/mesh_quality.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "io/text/formatted.h"
@@ -15,14 +13,6 @@
 
 namespace menger::meshes {
 namespace {
-
-/// Formats a line of at most 160 characters.
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 Point centre(const CornerPoints& corners) {
   Point sum{};
@@ -121,20 +111,21 @@ std::string quality_text(const MeshQuality& quality) {
   if (quality.body)
     text += io::counted(quality.body->modules, "module") + ", " + io::counted(quality.body->holes, "hole") + " in joints, " +
             io::counted(quality.body->edge_contacts, "contact") + " of modules along an edge only (not bonded)\n";
-  text += line("edges %.4g to %.4g mm, aspect ratio up to %.4g, scaled Jacobian at least %.4g, on average %.4g\n",
-               1e3 * quality.shortest_edge_m, 1e3 * quality.longest_edge_m, quality.aspect_ratio_max, quality.scaled_jacobian_min,
-               quality.scaled_jacobian_mean);
+  text += io::formatted("edges %.4g to %.4g mm, aspect ratio up to %.4g, scaled Jacobian at least %.4g, on average %.4g\n",
+                        1e3 * quality.shortest_edge_m, 1e3 * quality.longest_edge_m, quality.aspect_ratio_max,
+                        quality.scaled_jacobian_min, quality.scaled_jacobian_mean);
   // Bodies of level 3 have hundreds of chambers; the table lists them all.
   constexpr std::size_t most_lines = 8;
   for (std::size_t i = 0; i < std::min(most_lines, quality.volumes.size()); ++i) {
     const MeasuredVolume& volume = quality.volumes[i];
-    text += line("%s: %.6g cm^3", volume.part.c_str(), 1e6 * volume.mesh_m3);
+    text += io::formatted("%s: %.6g cm^3", volume.part.c_str(), 1e6 * volume.mesh_m3);
     if (volume.closed_form_m3)
-      text += line(" (relative difference to the closed form %.1e)",
-                   std::abs(volume.mesh_m3 - *volume.closed_form_m3) / *volume.closed_form_m3);
+      text += io::formatted(" (relative difference to the closed form %.1e)",
+                            std::abs(volume.mesh_m3 - *volume.closed_form_m3) / *volume.closed_form_m3);
     text += '\n';
   }
-  if (quality.volumes.size() > most_lines) text += line("... and %zu more chambers\n", quality.volumes.size() - most_lines);
+  if (quality.volumes.size() > most_lines)
+    text += io::formatted("... and %zu more chambers\n", quality.volumes.size() - most_lines);
   return text;
 }
 

@@ -108,7 +108,7 @@ CurveProvenance read_provenance(const io::TomlTable& top) {
   provenance.silicone = read_filled(top, "silicone");
   provenance.law = read_filled(top, "law");
   provenance.shear_modulus_Pa = top.number("shear_modulus_Pa", io::positive());
-  // The second name is that of earlier versions.
+  // Earlier versions wrote density_kg_m3.
   provenance.density_kg_m3 = top.number(top.has("density_kg_m3") ? "density_kg_m3" : "density_kg_per_m3", io::positive());
   provenance.relative_uncertainty = top.number("relative_uncertainty", io::positive());
   provenance.status = top.word("status", io::run_status_words());

@@ -114,7 +114,7 @@ void describe_body(io::StudyVisitor& visitor, Robot& robot) {
       robot.chambers, chamber_layout_words());
   visitor.text({"silicone",
                 "Silicone to cast it from: dragon_skin_10, dragon_skin_20, dragon_skin_30, ecoflex_00_10, ecoflex_00_30, "
-                "ecoflex_00_50, or a file of your own (see materials/data).",
+                "ecoflex_00_50, or a file of your own (see materials/README.md).",
                 "\"dragon_skin_10\""},
                robot.silicone);
   visitor.text({"law_name",
@@ -276,8 +276,11 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
         {"present",
          "Whether it is put on the ground and driven. false for a finger or a gripper: it is inflated without a ground."},
         robot.walks);
-    visitor.number({"duration_s", "Simulated time."}, robot.duration_s,
-                   {.lowest = 0.0, .highest = longest_walk_s, .lowest_excluded = true});
+    visitor.number(
+        {"duration_s",
+         "Simulated time. Robots of a search walk for six strokes instead, of which the last five count; the study that "
+         "menger loop --write-studies writes for it can be given another time."},
+        robot.duration_s, {.lowest = 0.0, .highest = longest_walk_s, .lowest_excluded = true});
     visitor.word({"fidelity",
                   "How finely walls are cut into finite elements, also where the body is inflated. The robot walks on the next "
                   "finer ones, too, to show how well "

@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 
 /// Periods of the drive in the walks of a search: the first, in which the pressure grows, and the five that count.
 constexpr double search_periods = 6.0;
-/// Between rest and each end of the drive.
 /// Over the usual pressure: bodies balloon at two to four times as much.
 constexpr double highest_of_limit = 10.0;
 /// Numbers of a duration after the point, s.

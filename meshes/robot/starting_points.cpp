@@ -43,7 +43,8 @@ mode = "antiphase"
 pressure_Pa = [0, 5000]
 )"},
     StartingPoint{"finger",
-                  "a finger: a bar of nine cells with bellows on top, whose end bends 14 mm sideways at 12 kPa, of which a "
+                  "a finger: a bar of nine cells with bellows on top, whose end bends 17 mm sideways at 12 kPa (14 mm on thin "
+                  "walls), of which a "
                   "softer silicone bears less; it does not walk",
                   R"(
 [robot]

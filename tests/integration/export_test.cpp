@@ -292,6 +292,17 @@ TEST_F(Export, ASecondCallShowsInsteadOfRedoing) {
   EXPECT_EQ(contents("out"), before);
 }
 
+TEST_F(Export, LeavesNothingOfAnotherChampion) {
+  evolve("run.sqlite");
+  evolve("other.sqlite", "2", "nonfractal");
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1", "2"}).code, 0);
+  ASSERT_EQ(export_run("run.sqlite", "out", {"--levels", "1"}).code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/level_2/result.toml")) << "it is of this champion";
+  ASSERT_EQ(export_run("other.sqlite", "out", {"--levels", "1"}).code, 0);
+  ASSERT_EQ(export_run("other.sqlite", "fresh", {"--levels", "1"}).code, 0);
+  EXPECT_EQ(contents("out"), contents("fresh"));
+}
+
 TEST_F(Export, RefusesWhatIsNoArchive) {
   EXPECT_EQ(export_run("missing.sqlite", "out").code, 2);
   io::write_whole(folder_ / "text.sqlite", "once upon a time");

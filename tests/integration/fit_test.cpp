@@ -94,6 +94,9 @@ TEST_F(FitProgram, MakesNoPictureIfToldNotTo) {
   write_test();
   ASSERT_EQ(run("test.csv -o fits --no-pictures"), 0) << text("err");
   EXPECT_FALSE(fs::exists(folder_ / "fits/fits.png"));
+  io::write_whole(folder_ / "fits/fits.png", "of another test");
+  ASSERT_EQ(run("test.csv -o fits --no-pictures"), 0) << text("err");
+  EXPECT_FALSE(fs::exists(folder_ / "fits/fits.png")) << "it would be taken for that of these fits";
   EXPECT_EQ(text("out").find("no picture"), std::string::npos) << text("out");
 }
 

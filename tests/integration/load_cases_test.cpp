@@ -60,9 +60,11 @@ TEST_F(LoadCasesProgram, WritesCurvesWithProvenancePicturesAndManifest) {
   EXPECT_EQ(meshes::read_response_curve(folder_ / "out/hold.toml").row_count(), 2U);
   EXPECT_TRUE(fs::exists(folder_ / "out/manifest.json"));
   EXPECT_NE(outcome.out.find("pull"), std::string::npos);
+  EXPECT_NE(fs::exists(folder_ / "out/pull.png"), outcome.out.find("no picture: ") != std::string::npos) << outcome.out;
   const Outcome again = run({"set.toml", "-o", "out", "--no-pictures"});
   EXPECT_EQ(again.code, 0);
   EXPECT_NE(again.out.find("from the cache"), std::string::npos) << again.out;
+  EXPECT_FALSE(fs::exists(folder_ / "out/pull.png")) << "it might be of an earlier curve";
 }
 
 TEST_F(LoadCasesProgram, OnTwoRanksGivesWhatOneProcessGives) {

@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "io/process/program.h"
 #include "io/process/progress.h"
 #include "io/process/study_help.h"
+#include "io/text/formatted.h"
 #include "meshes/robot/command_study.h"
 #include "voxel/calibration/calibration_report.h"
 #include "voxel/calibration/calibration_run.h"
@@ -57,9 +56,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
 
 template <class... Values>
 void print_row(const char* format, Values... values) {
-  std::array<char, 200> row{};
-  std::snprintf(row.data(), row.size(), format, values...);
-  std::cout << row.data() << '\n';
+  std::cout << io::formatted(format, values...) << '\n';
 }
 
 void print_details(const voxel::CalibrationRunResult& result) {
@@ -82,11 +79,10 @@ void print_details(const voxel::CalibrationRunResult& result) {
 void print_parameters(const voxel::CalibrationFit& fit) {
   print_row("%-40s %12s %27s  %s", "parameter", "value", "95 % interval", "");
   for (const voxel::FittedValue& value : fit.values) {
-    std::array<char, 64> interval{"-"};
-    if (value.confidence_95)
-      std::snprintf(interval.data(), interval.size(), "%.4g ... %.4g", value.confidence_95->first, value.confidence_95->second);
+    const auto& bounds = value.confidence_95;
+    const std::string interval = bounds ? io::formatted("%.4g ... %.4g", bounds->first, bounds->second) : "-";
     const bool is_determined = value.determination == voxel::Determination::determined;
-    print_row("%-40s %12.5g %27s  %s", value.parameter.name.c_str(), value.value, interval.data(),
+    print_row("%-40s %12.5g %27s  %s", value.parameter.name.c_str(), value.value, interval.c_str(),
               is_determined ? "" : std::string(voxel::to_string(value.determination)).c_str());
   }
 }

@@ -7,6 +7,7 @@
 
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
+#include "io/text/number_text.h"
 #include "io/text/range.h"
 #include "voxel/scene/calibrated_body_file.h"
 
@@ -25,6 +26,13 @@ struct VoxelKeys {
 
 /// Returns when the keys that calibrated parameters give have a meaning.
 std::string_view condition_of(const VoxelKeys& keys) { return keys.are_voxels ? by_itself : as_voxels; }
+
+/// Whether a file has a key that leads through tables.
+bool has_key(const io::TomlTable& table, std::string_view key) {
+  const auto dot = key.find('.');
+  if (dot == std::string_view::npos) return table.has(key);
+  return table.is_table(key.substr(0, dot)) && has_key(table.table(key.substr(0, dot)), key.substr(dot + 1));
+}
 
 /// Describes a key of both materials. A written study has it if both materials have the same value.
 void describe_both(io::StudyVisitor& visitor, const io::Key& key, std::array<VoxelMaterial, 2>& materials,
@@ -255,6 +263,22 @@ std::string physics_text(const Physics& physics) {
   io::StudyTextWriter writer;
   describe(writer, described, {.is_identity = true});
   return writer.text();
+}
+
+void check_friction(const io::TomlTable& table, const Physics& physics) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> keys{
+      {{"materials.material_1.static_friction", "materials.material_1.kinetic_friction"},
+       {"materials.material_2.static_friction", "materials.material_2.kinetic_friction"}}};
+  for (std::size_t m = 0; m < physics.materials.size(); ++m) {
+    const VoxelMaterial& material = physics.materials.at(m);
+    if (material.static_friction >= material.kinetic_friction) continue;
+    const std::string kinetic = "is less than kinetic_friction = " + io::number_text(material.kinetic_friction);
+    const std::string still = "is more than static_friction = " + io::number_text(material.static_friction);
+    if (has_key(table, keys.at(m)[0])) throw table.error(keys.at(m)[0], kinetic);
+    if (has_key(table, keys.at(m)[1])) throw table.error(keys.at(m)[1], still);
+    if (has_key(table, "ground.static_friction")) throw table.error("ground.static_friction", kinetic);
+    throw table.error("ground.kinetic_friction", still);
+  }
 }
 
 }  // namespace menger::voxel

@@ -34,6 +34,10 @@ void describe(io::StudyVisitor& visitor, Physics& physics, const PhysicsUse& use
 /// left to the caller, who ends with table.finish(). @throws io::InputError with file, key and value
 Physics read_physics(const io::TomlTable& table, const Physics& defaults = {});
 
+/// Checks that no material slides with more friction than it rests with. @param table from which the physics was read
+/// @throws io::InputError naming the key of the file
+void check_friction(const io::TomlTable& table, const Physics& physics);
+
 /// The values of a physics as TOML for read_physics, exact and always in the same order, as they identify it in archives. Equal
 /// text means equal physics, and reading the text gives the same physics again; beam_moments is there unless it is "published".
 std::string physics_text(const Physics& physics);

@@ -44,7 +44,7 @@ double body_length_m(const meshes::Design& design, int level);
 
 /// Estimates the memory in bytes for simulating a design at a level, without building anything. Saturates at SIZE_MAX.
 /// @param voxels_per_cell along an edge
-std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level, int voxels_per_cell = 1);
+std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level, int voxels_per_cell);
 
 /// Voxels per cell edge of a physics: 1 without a surrogate.
 int voxels_per_cell(const Physics& physics);

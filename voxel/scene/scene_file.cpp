@@ -93,30 +93,6 @@ std::string unusable_calibration(const Scene& scene) {
   return "";
 }
 
-/// Whether a file has a key that leads through tables.
-bool has_key(const io::TomlTable& table, std::string_view key) {
-  const auto dot = key.find('.');
-  if (dot == std::string_view::npos) return table.has(key);
-  return table.is_table(key.substr(0, dot)) && has_key(table.table(key.substr(0, dot)), key.substr(dot + 1));
-}
-
-/// Checks that no material slides with more friction than it rests with. @throws io::InputError otherwise
-void check_friction(const io::TomlTable& table, const std::array<VoxelMaterial, 2>& materials) {
-  constexpr std::array<std::array<std::string_view, 2>, 2> keys{
-      {{"materials.material_1.static_friction", "materials.material_1.kinetic_friction"},
-       {"materials.material_2.static_friction", "materials.material_2.kinetic_friction"}}};
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    const VoxelMaterial& material = materials.at(m);
-    if (material.static_friction >= material.kinetic_friction) continue;
-    const std::string kinetic = "is less than kinetic_friction = " + io::number_text(material.kinetic_friction);
-    const std::string still = "is more than static_friction = " + io::number_text(material.static_friction);
-    if (has_key(table, keys.at(m)[0])) throw table.error(keys.at(m)[0], kinetic);
-    if (has_key(table, keys.at(m)[1])) throw table.error(keys.at(m)[1], still);
-    if (has_key(table, "ground.static_friction")) throw table.error("ground.static_friction", kinetic);
-    throw table.error("ground.kinetic_friction", still);
-  }
-}
-
 }  // namespace
 
 void describe(io::StudyVisitor& visitor, Scene& scene) {
@@ -138,7 +114,7 @@ LoadedScene read_scene(const std::filesystem::path& file, std::optional<int> lev
   io::StudyReader reader(table);
   describe_scene(reader, scene, design_file);
   table.finish();
-  check_friction(table, scene.physics.materials);
+  check_friction(table, scene.physics);
   if (design_file) loaded.files.push_back(*design_file);
   if (const auto parameters = parameters_file(table)) loaded.files.push_back(*parameters);
   const GivenLevel given = given_level(scene.level, level);

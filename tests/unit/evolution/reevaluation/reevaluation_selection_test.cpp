@@ -44,7 +44,7 @@ std::string nothing_against(const Polycube&) { return ""; }
 TEST(ReevaluationSelection, TakesTheBestDistinctOnesOnce) {
   std::vector<FitDesign> designs = different_designs();
   designs.insert(designs.begin() + 1, design(7, body_of_layers("000000001"), 0.995));  // the first robot in another place
-  const Selection selection = choose_designs(designs, {.top = 3, .distinction = {.materials = false}}, nothing_against);
+  const DesignSelection selection = choose_designs(designs, {.top = 3, .distinction = {.materials = false}}, nothing_against);
   EXPECT_EQ(selection.distinct, 12U);
   ASSERT_EQ(selection.chosen.size(), 3U);
   for (std::size_t n = 0; n < 3; ++n) {
@@ -57,7 +57,7 @@ TEST(ReevaluationSelection, TakesTheBestDistinctOnesOnce) {
 
 TEST(ReevaluationSelection, WhatCannotBeEvaluatedIsNamedAndLeftOut) {
   const auto obstacle = [](const Polycube& body) { return body.count() == 2 ? std::string("too short") : std::string(); };
-  const Selection selection = choose_designs(different_designs(), {.top = 2}, obstacle);
+  const DesignSelection selection = choose_designs(different_designs(), {.top = 2}, obstacle);
   ASSERT_EQ(selection.chosen.size(), 2U);
   EXPECT_EQ(selection.chosen[1].rank, 3U);
   ASSERT_EQ(selection.refused.size(), 1U);
@@ -70,7 +70,7 @@ TEST(ReevaluationSelection, TheSampleHasOneOfEveryStratum) {
   std::set<std::size_t> drawn;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const SelectionOptions options{.top = 3, .sample = 3, .seed = seed};
-    const Selection selection = choose_designs(different_designs(), options, nothing_against);
+    const DesignSelection selection = choose_designs(different_designs(), options, nothing_against);
     ASSERT_EQ(selection.chosen.size(), 6U);
     for (std::size_t stratum = 0; stratum < 3; ++stratum) {
       const ChosenDesign& chosen = selection.chosen[3 + stratum];
@@ -78,14 +78,14 @@ TEST(ReevaluationSelection, TheSampleHasOneOfEveryStratum) {
       EXPECT_EQ((chosen.rank - 4) / 3, stratum) << "ranks 4 ... 12 in three strata";
       drawn.insert(chosen.rank);
     }
-    const Selection again = choose_designs(different_designs(), options, nothing_against);
+    const DesignSelection again = choose_designs(different_designs(), options, nothing_against);
     for (std::size_t n = 0; n < 6; ++n) EXPECT_EQ(again.chosen[n].rank, selection.chosen[n].rank);
   }
   EXPECT_EQ(drawn.size(), 9U) << "any of a stratum may be drawn";
 }
 
 TEST(ReevaluationSelection, ASampleAsLargeAsTheRestIsTheRest) {
-  const Selection selection = choose_designs(different_designs(), {.top = 2, .sample = 99}, nothing_against);
+  const DesignSelection selection = choose_designs(different_designs(), {.top = 2, .sample = 99}, nothing_against);
   EXPECT_EQ(selection.chosen.size(), 12U);
   EXPECT_EQ(std::ranges::count(selection.chosen, true, &ChosenDesign::is_top), 2);
 }

@@ -90,6 +90,13 @@ TEST_F(SearchComparison, TheChartShowsTheBestSoFarAndTheOutcomes) {
             std::string::npos);
 }
 
+TEST_F(SearchComparison, NumbersOfAnyLengthAreWrittenWhole) {
+  io::write_whole(folder_ / "plain_1/reevaluation.csv", reevaluation_header + "1,0.6,1e300,10,10\n");
+  const std::string text = comparison_text({read("plain_1")}, {});
+  const std::size_t row = text.find("plain_1");
+  EXPECT_EQ(text.find('\n', row) - row, 20U + 1 + 16 + 1 + 9 + 1 + 14 + 1 + (301 + 6) + 1 + 12) << text;
+}
+
 TEST_F(SearchComparison, MissingOrDamagedTablesAreNamed) {
   fs::remove(folder_ / "plain_1/reevaluation.csv");
   EXPECT_NE(tests::message_of([&] { (void)read("plain_1"); }).find("reevaluation.csv"), std::string::npos);

@@ -187,6 +187,8 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   expect_refused(head + "[genome]\nencoding = \"nonfractal\"\n[body]\nlevels = [4]\n",
                  {place + "5", "nonfractal", "highest level", "is 3"});
   expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
+  expect_refused(head + "[ground]\nkinetic_friction = 1.5\n",
+                 {place + "3", "ground.kinetic_friction = 1.5", "is more than static_friction = 1"});
 }
 
 TEST_F(StudyFile, ChecksOfTheTimeStepBelongToTheIdentityOfAStudyThatHasThem) {

@@ -4,6 +4,8 @@
 
 #include "evolution/archive/run_archive.h"
 #include "evolution/genome/offspring.h"
+#include "evolution/report/study_view.h"
+#include "evolution/study/study_file.h"
 #include "io/text/csv_table.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -80,20 +82,25 @@ TEST(SearchTrade, TableAndPicturesHoldEverySearch) {
 TEST(SearchTrade, VoxelStepsAreSummedOverTheArchive) {
   const tests::TestFolder folder;
   const fs::path file = folder / "run.sqlite";
+  io::write_whole(folder / "study.toml", "preset = \"paper\"\n[evaluation]\nstand = true\n[body]\nlevels = [1, 2]\n");
+  const Study study = read_study(folder / "study.toml");
   Individual individual;
-  individual.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "111000000000000000000000000");
+  individual.phenotype.body = meshes::Polycube::from_digits(3, 3, 3, "000000000111000000000000000");  // does not touch the ground
+  const Phenotype standing = as_simulated(study.search, individual.phenotype);
+  ASSERT_NE(standing, individual.phenotype);
   OffspringOptions offspring;
   RandomStream random(1, "individuals");
   individual.genome = random_offspring(offspring, random).genome;
   {
-    RunArchive archive = RunArchive::open(file, "seed = 1\n", 0);
+    RunArchive archive = RunArchive::open(file, identity_text(study), 0);
+    const std::string physics_hash = view_of(archive, study).physics_hashes().front();
     Evaluation result;
     result.status = io::RunStatus::completed;
     result.displacement_m = {0.1, 0.0, 0.0};
     result.steps = 100;
-    archive.add_evaluation({design_hash(individual.phenotype, 1), 1, "physics"}, {0, result});
+    archive.add_evaluation({design_hash(standing, 1), 1, physics_hash}, {0, result});
     result.steps = 10;
-    archive.add_evaluation({design_hash(individual.phenotype, 2), 2, "physics"}, {0, result});
+    archive.add_evaluation({design_hash(standing, 2), 2, physics_hash}, {0, result});
     const PoolMember member{.id = 0, .age = 0, .fitness = 0.1, .fitness_bound = {}, .survivor_rank = 0};
     archive.add_generation({}, std::vector{individual}, std::vector{member});
   }

@@ -111,6 +111,8 @@ TEST_F(TradeStudyTest, WrongInputIsNamed) {
   expect_refused("[settling]\nparameters = [\"p.toml\"]\n", {"finite_elements"});
   expect_refused("[search]\nstudy = \"s.toml\"\nseeds = [1, 2]\n", {"seeds", "three"});
   expect_refused("[search]\nstudy = \"missing.toml\"\n", {"missing.toml"});
+  io::write_whole(folder_ / "evolve.toml", "preset = \"paper\"\n[budget]\nelement_steps = 1e6\n");
+  expect_refused("[search]\nstudy = \"evolve.toml\"\n", {"evolve.toml: budget", "search.voxel_steps", "study.toml"});
   EXPECT_THROW((void)read_trade_study(folder_ / "missing.toml"), io::InputError);
 }
 

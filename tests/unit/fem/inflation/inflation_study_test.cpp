@@ -319,6 +319,8 @@ TEST_F(InflationStudyFile, RefusesPlatesThatCannotBe) {
   has(plate("side = \"x max\"\ngrip = \"sliding\"\ndisplacement_y_m = [0, 1e-3]\n"), "moves only along the normal of its side");
   has(plate("label = \"outer\"\ngrip = \"sliding\"\n"), "only the faces of a side can slide");
   has(plate("side = \"x max\"\n[[plates]]\nname = \"tip\"\nside = \"x min\"\n"), "is given twice");
+  has(refusal({.rest = "[[plates]]\nname = \"tip 1\"\nside = \"x max\"\n[[plates]]\nname = \"tip_1\"\nside = \"x min\"\n"}),
+      "names the same columns as");
 }
 
 TEST_F(InflationStudyFile, NamesFilesThatAreMissing) {

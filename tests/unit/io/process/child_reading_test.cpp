@@ -45,5 +45,28 @@ TEST(ChildReading, TurnsTheEndOfALibraryIntoAnErrorOfTheFile) {
             "folder/a.msh: is damaged: the library of Gmsh, which reads it, ended with signal 11 (Segmentation fault)");
 }
 
+TEST(ChildReading, LeavesInterruptsToThisProcess) {
+  EXPECT_EQ(read([] {
+              (void)std::raise(SIGINT);
+              return std::string("whole");
+            }),
+            "whole")
+      << "Ctrl-C reaches the child, too";
+}
+
+TEST(ChildReading, DoesNotBlameTheFileForAReaderThatWasEnded) {
+  try {
+    (void)read([]() -> std::string {
+      (void)std::raise(SIGKILL);
+      return {};
+    });
+    FAIL() << "there was no answer";
+  } catch (const InputError& error) {
+    FAIL() << error.what();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "folder/a.msh: its reader was ended by signal 9 (Killed), maybe for want of memory");
+  }
+}
+
 }  // namespace
 }  // namespace menger::io

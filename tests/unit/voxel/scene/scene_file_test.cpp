@@ -194,18 +194,18 @@ TEST_F(SceneFile, RefusesALevelThatDoesNotFitMemoryBeforeBuildingIt) {
             std::string::npos)
       << refusal(sponge + "level = 1\n", 20);
   io::write_whole(folder_ / "scene.toml", std::string(bar) + "level = 2\n");
-  const std::size_t needed = estimated_memory_bytes(meshes::Polycube::from_digits(3, 1, 1, "121"), 2);
+  const std::size_t needed = estimated_memory_bytes(meshes::Polycube::from_digits(3, 1, 1, "121"), 2, 1);
   EXPECT_NO_THROW(static_cast<void>(read_scene(folder_ / "scene.toml", {}, needed)));
   EXPECT_THROW(static_cast<void>(read_scene(folder_ / "scene.toml", {}, needed - 1)), io::InputError);
 }
 
 TEST(Scene, MemoryEstimateGrowsWithTheFractalAndSaturates) {
   const meshes::Polycube sponge = meshes::menger_sponge();
-  const std::size_t level_2 = estimated_memory_bytes(sponge, 2);
-  const std::size_t level_3 = estimated_memory_bytes(sponge, 3);
+  const std::size_t level_2 = estimated_memory_bytes(sponge, 2, 1);
+  const std::size_t level_3 = estimated_memory_bytes(sponge, 3, 1);
   EXPECT_GT(level_3, 19 * level_2);
   EXPECT_LT(level_3, 28 * level_2);
-  EXPECT_EQ(estimated_memory_bytes(sponge, 1000), std::numeric_limits<std::size_t>::max());
+  EXPECT_EQ(estimated_memory_bytes(sponge, 1000, 1), std::numeric_limits<std::size_t>::max());
 }
 
 TEST(Scene, BodyLengthIsTheLongestSideOfTheAggregate) {
