@@ -7,6 +7,7 @@
 
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
+#include "meshes/load_cases/observables.h"
 
 namespace menger::fem {
 namespace {
@@ -38,7 +39,7 @@ Walk::Walk(const PreparedWalk& walk, WalkDynamics& dynamics)
   result_.status = io::RunStatus::completed;
   result_.elements = walk.mesh.elements.size();
   result_.nodes = walk.mesh.points.size();
-  result_.body_length_m = body_length_m(walk.design, walk.hollow.level);
+  result_.body_length_m = meshes::body_length_m(walk.design, walk.hollow.level);
   result_.ground_height_m = walk.ground.height_m;
 }
 

@@ -132,13 +132,6 @@ void check(const WalkInput& input) {
   if (input.drive) check(*input.drive);
 }
 
-double body_length_m(const meshes::Design& design, int level) {
-  const int cells = std::max({design.body.nx(), design.body.ny(), design.body.nz()});
-  double length = design.cell_edge_m;
-  for (int i = 0; i < level; ++i) length *= cells;
-  return length;
-}
-
 double contact_modulus_Pa(const PreparedWalk& walk) {
   if (walk.elements.kind == ElementKind::three_field) return walk.material.bulk_modulus_Pa;
   return contact_modulus_Pa(materials::shear_modulus_at_rest_Pa(walk.material.law));

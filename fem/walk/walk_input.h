@@ -58,10 +58,6 @@ void prepare(PreparedWalk& walk, DampingModel usual = DampingModel::maxwell);
 /// @throws WalkInputError for the first one that is outside of its range
 void check(const WalkInput& input);
 
-/// Returns the body length: the largest number of cells along an axis of the design, to the power of its level, times the cell
-/// edge. That is 3^level cell edges for designs of 3 cells.
-double body_length_m(const meshes::Design& design, int level);
-
 /// Returns the modulus by which the default stiffness of the ground is chosen, Pa.
 double contact_modulus_Pa(const PreparedWalk& walk);
 

@@ -22,11 +22,6 @@ double power(double base, int exponent) {
 
 }  // namespace
 
-double body_length_m(const meshes::Design& design, int level) {
-  const int cells = std::max({design.body.nx(), design.body.ny(), design.body.nz()});
-  return power(cells, level) * design.cell_edge_m;
-}
-
 std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level, int voxels_per_cell) {
   // Per voxel: its state, up to three beams, and its share of a frame and of the list of close pairs. Per cell of the grid: the
   // material and the index of its voxel.

@@ -38,10 +38,6 @@ inline constexpr double largest_record_count = 1e6;
 /// Higher levels are refused. At this level a body two cells long is a million cells long; a body of a single cell never grows.
 inline constexpr int largest_level = 20;
 
-/// Length of a body, m: cells per side of the aggregate (m^level for a design of m cells along its longest side) times the cell
-/// edge.
-double body_length_m(const meshes::Design& design, int level);
-
 /// Estimates the memory in bytes for simulating a design at a level, without building anything. Saturates at SIZE_MAX.
 /// @param voxels_per_cell along an edge
 std::size_t estimated_memory_bytes(const meshes::Polycube& basal_body, int level, int voxels_per_cell);

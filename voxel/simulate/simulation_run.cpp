@@ -9,6 +9,7 @@
 #include "io/text/number_text.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/fractal.h"
+#include "meshes/load_cases/observables.h"
 #include "meshes/load_cases/walk_agreement.h"
 #include "voxel/picture/preview.h"
 #include "voxel/picture/vtk_output.h"
@@ -32,7 +33,7 @@ class SceneRun {
         simulation_(body_, scene.design.cell_edge_m, physics_of(scene), {}, kernel_options(scene, options)),
         steps_(simulation_, scene.duration_s, options.stop, options.progress),
         frames_(folder) {
-    result_.body_length_m = body_length_m(scene.design, scene.level);
+    result_.body_length_m = meshes::body_length_m(scene.design, scene.level);
     result_.time_step_s = simulation_.time_step_s();
     result_.voxels = simulation_.voxel_count();
     result_.beams = simulation_.beam_count();

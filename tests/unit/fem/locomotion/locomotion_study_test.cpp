@@ -11,6 +11,7 @@
 #include "fem/locomotion/locomotion_sweep.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_template.h"
+#include "meshes/load_cases/observables.h"
 #include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
@@ -45,7 +46,7 @@ TEST(LocomotionStudy, ReadsWhatItStates) {
   const ExplicitOptions options = dynamics_options(study);
   EXPECT_EQ(options.loads.gravity_m_per_s2[2], -1.62);
   EXPECT_EQ(options.loads.mass_damping_per_s, 3.0);
-  EXPECT_DOUBLE_EQ(body_length_m(study.design, 2), 0.02) << "one cell per side at every level";
+  EXPECT_DOUBLE_EQ(meshes::body_length_m(study.design, 2), 0.02) << "one cell per side at every level";
 }
 
 TEST(LocomotionStudy, HasFramesThatResolveEachStroke) {
@@ -120,8 +121,8 @@ TEST(LocomotionStudy, RefusesElementsThatDoNotFit) {
 
 TEST(LocomotionStudy, MeasuresLengthByTheLongestSideOfTheGrid) {
   const LocomotionStudy study = sample_study(hook_study);
-  EXPECT_DOUBLE_EQ(body_length_m(study.design, 1), 0.02);
-  EXPECT_DOUBLE_EQ(body_length_m(study.design, 3), 0.08);
+  EXPECT_DOUBLE_EQ(meshes::body_length_m(study.design, 1), 0.02);
+  EXPECT_DOUBLE_EQ(meshes::body_length_m(study.design, 3), 0.08);
 }
 
 TEST(LocomotionStudy, StandsOnItsLowestPoint) {

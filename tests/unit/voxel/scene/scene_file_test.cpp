@@ -14,6 +14,7 @@
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "meshes/design/reference_shapes.h"
+#include "meshes/load_cases/observables.h"
 #include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 
@@ -210,9 +211,9 @@ TEST(Scene, MemoryEstimateGrowsWithTheFractalAndSaturates) {
 
 TEST(Scene, BodyLengthIsTheLongestSideOfTheAggregate) {
   const meshes::Design sponge{.name = "", .body = meshes::menger_sponge(), .cell_edge_m = 0.01};
-  EXPECT_DOUBLE_EQ(body_length_m(sponge, 3), 0.27);
+  EXPECT_DOUBLE_EQ(meshes::body_length_m(sponge, 3), 0.27);
   const meshes::Design bar_of_five{.name = "", .body = meshes::Polycube::from_digits(1, 5, 1, "11111"), .cell_edge_m = 0.01};
-  EXPECT_DOUBLE_EQ(body_length_m(bar_of_five, 1), 0.05);
+  EXPECT_DOUBLE_EQ(meshes::body_length_m(bar_of_five, 1), 0.05);
 }
 
 }  // namespace
