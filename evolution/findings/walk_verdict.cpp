@@ -42,7 +42,8 @@ std::string both(const FoundWalk& one, const FoundWalk& other) {
   if (agreement(one, other) == meshes::WalkAgreement::one_goes_nowhere)
     return distances + ", of which the " + (is_walk(one) ? "second" : "first") +
            (one.fell_s || other.fell_s ? " is a fall" : " is no walk");
-  return distances + ", " + io::degrees(meshes::angle_between(one.direction_deg(), other.direction_deg())) + " apart";
+  return distances + ", " + io::degrees(meshes::angle_between_directions_deg(one.direction_deg(), other.direction_deg())) +
+         " apart";
 }
 
 /// Whether a robot, and what drives its cells, is its own mirror image in a plane across one of the axes x and y, so that it has
@@ -64,7 +65,8 @@ bool is_mirror_image(const meshes::Robot& robot, bool is_across_x) {
 /// Whether walks agree in direction, and not in distance.
 bool have_one_direction(const FoundWalk& one, const FoundWalk& other) {
   return agreement(one, other) != meshes::WalkAgreement::one_goes_nowhere &&
-         meshes::angle_between(one.direction_deg(), other.direction_deg()) <= meshes::walk_limits::same_direction_deg;
+         meshes::angle_between_directions_deg(one.direction_deg(), other.direction_deg()) <=
+             meshes::walk_limits::same_direction_deg;
 }
 
 /// Whether a body is its own mirror image along its walk: chance alone decides then which way it goes.

@@ -93,7 +93,7 @@ WalksBeside walks_beside(const CommandOutput& elements, const CommandOutput& oth
     walks.element_count = a.optional_number("elements").value_or(0.0);
     const auto a_deg = direction_deg(a);
     const auto b_deg = direction_deg(b);
-    if (a_deg && b_deg && walks.are_as_long()) walks.angle_deg = meshes::angle_between(*a_deg, *b_deg);
+    if (a_deg && b_deg && walks.are_as_long()) walks.angle_deg = meshes::angle_between_directions_deg(*a_deg, *b_deg);
   } catch (const io::InputError&) {
     return walks;  // told where the walk has its own section
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "meshes/design/fractal.h"
 #include "meshes/load_cases/observables.h"
 
 namespace menger::evolution {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "io/text/number_text.h"
-#include "meshes/load_cases/observables.h"
+#include "meshes/design/fractal.h"
 
 namespace menger::evolution {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evolution/genome/robot_form.h"
+#include "meshes/design/fractal.h"
 #include "meshes/load_cases/observables.h"
 
 namespace menger::evolution {

@@ -102,7 +102,7 @@ meshes::WalkAgreement agreement_of(const WalkFacts& a, const WalkFacts& b) {
 /// The angle between two walks; nothing if one of them has no direction, as what is no walk has none.
 std::optional<double> angle_of(const WalkFacts& a, const WalkFacts& b) {
   if (!a.direction_deg || !b.direction_deg || goes_nowhere(a) || goes_nowhere(b)) return std::nullopt;
-  return meshes::angle_between(*a.direction_deg, *b.direction_deg);
+  return meshes::angle_between_directions_deg(*a.direction_deg, *b.direction_deg);
 }
 
 /// What a comparison of walks in both models says, and what follows for the surrogate.

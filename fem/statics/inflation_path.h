@@ -25,7 +25,7 @@ struct PathPoint {
   double dead_load_work_J = 0.0;
   double ground_force_N = 0.0;
   std::vector<PlateReaction> plates;  ///< on the body
-  double smallest_ratio = 1.0;
+  double smallest_ratio = 1.0;        ///< of the volume of any quadrature point to that at rest
   std::optional<int> negative_pivots;
   std::optional<double> smallest_gap_m;  ///< between facing chamber walls
   int iterations = 0;

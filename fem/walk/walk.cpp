@@ -7,7 +7,7 @@
 
 #include "io/text/input_error.h"
 #include "io/text/number_text.h"
-#include "meshes/load_cases/observables.h"
+#include "meshes/design/design_file.h"
 
 namespace menger::fem {
 namespace {

@@ -12,6 +12,7 @@
 #include "io/text/toml_document.h"
 #include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
+#include "meshes/design/fractal.h"
 
 namespace menger::meshes {
 
@@ -153,6 +154,10 @@ void describe_design(io::StudyVisitor& visitor, Design& design, std::optional<st
   visitor.number(edge, design.cell_edge_m, io::positive());
   if (design.name.empty()) design.name = "robot";
   visitor.text({"name", "Name of the design."}, design.name);
+}
+
+double body_length_m(const Design& design, int level) {
+  return body_length_m(level, design.cell_edge_m, std::max({design.body.nx(), design.body.ny(), design.body.nz()}));
 }
 
 Design read_design(const std::filesystem::path& file) {

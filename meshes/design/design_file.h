@@ -19,6 +19,9 @@ struct Design {
   bool operator==(const Design&) const = default;
 };
 
+/// Returns the body length of a design at a level, see fractal.h. The longest side of its grid counts.
+double body_length_m(const Design& design, int level);
+
 /// Reads a design from a TOML file with the keys name, cell_edge_m and layers. The layers are listed from the ground up. Each
 /// layer is an array of strings of digits, one string per row of constant y. In the file x increases along a row and y increases
 /// downwards.

@@ -78,6 +78,12 @@ std::optional<Polycube> basal_body(const Polycube& aggregate, int level) {
   return body;
 }
 
+double body_length_m(int level, double cell_edge_m, int cells_per_side) {
+  double cells = 1.0;
+  for (int i = 0; i < level; ++i) cells *= cells_per_side;
+  return cells * cell_edge_m;
+}
+
 double hausdorff_dimension(const Polycube& body) {
   if (body.nx() != body.ny() || body.nx() != body.nz()) throw std::invalid_argument("a Hausdorff dimension needs a cubic grid");
   if (body.nx() < 2) throw std::invalid_argument("a Hausdorff dimension needs at least 2 cells per side");

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
-
-#include "meshes/design/design_file.h"
 
 namespace menger::meshes {
 
@@ -24,20 +21,6 @@ inline std::array<double, 3> centre_of_mass(std::span<const std::array<double, 3
 /// Returns the horizontal length sqrt(dx^2 + dy^2) of a displacement (x, y, z up), in its unit.
 inline double horizontal_displacement(const std::array<double, 3>& displacement) {
   return std::hypot(displacement[0], displacement[1]);
-}
-
-/// Returns the body length of an aggregate in metres: the edge of the grid that its copies are put in, whatever part of it the
-/// body fills. That is the cells along a side of the module's grid, to the power of the level, times the cell edge.
-/// @param cells_per_side of the module; 3 in searches, whose bodies have 3, 9 and 27 cells per side at levels 1, 2 and 3
-inline double body_length_m(int level, double cell_edge_m, int cells_per_side = 3) {
-  double cells = 1.0;
-  for (int i = 0; i < level; ++i) cells *= cells_per_side;
-  return cells * cell_edge_m;
-}
-
-/// Returns the same of a design, whose grid may have sides of different lengths: the longest one counts.
-inline double body_length_m(const Design& design, int level) {
-  return body_length_m(level, design.cell_edge_m, std::max({design.body.nx(), design.body.ny(), design.body.nz()}));
 }
 
 /// The first columns of a table of a robot's motion, for every model: time, centre of mass, and its horizontal displacement from

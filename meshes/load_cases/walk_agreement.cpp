@@ -10,7 +10,7 @@ namespace menger::meshes {
 
 double direction_deg(double x_m, double y_m) { return std::atan2(y_m, x_m) * 180.0 / std::numbers::pi; }
 
-double angle_between(double a_deg, double b_deg) {
+double angle_between_directions_deg(double a_deg, double b_deg) {
   const double turned = std::fmod(std::abs(a_deg - b_deg), 360.0);
   return std::min(turned, 360.0 - turned);
 }
@@ -33,7 +33,8 @@ WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b) {
   const bool b_stays = b.body_lengths < walk_limits::least_body_lengths;
   if (a_stays && b_stays) return WalkAgreement::both_go_nowhere;
   if (a_stays || b_stays) return WalkAgreement::one_goes_nowhere;
-  if (a.direction_deg && b.direction_deg && angle_between(*a.direction_deg, *b.direction_deg) > walk_limits::same_direction_deg)
+  if (a.direction_deg && b.direction_deg &&
+      angle_between_directions_deg(*a.direction_deg, *b.direction_deg) > walk_limits::same_direction_deg)
     return WalkAgreement::different;
   const double ratio = a.body_lengths / a.time_s / (b.body_lengths / b.time_s);
   const double times = std::max(ratio, 1.0 / ratio);

@@ -29,7 +29,7 @@ inline constexpr double same_direction_deg = 45.0;  ///< directions agree within
 double direction_deg(double x_m, double y_m);
 
 /// Returns the angle between two directions, 0 to 180 degrees.
-double angle_between(double a_deg, double b_deg);
+double angle_between_directions_deg(double a_deg, double b_deg);
 
 /// Returns whether two walks last equally long but for a few steps of time: distances of others are not compared.
 bool last_as_long(double a_s, double b_s);

@@ -8,7 +8,7 @@
 
 #include "evolution/evaluation/evaluator.h"
 #include "io/text/content_hash.h"
-#include "meshes/load_cases/observables.h"
+#include "meshes/design/fractal.h"
 
 namespace menger::test_support {
 

@@ -11,7 +11,7 @@
 #include "fem/locomotion/locomotion_sweep.h"
 #include "io/study/study_reader.h"
 #include "io/study/study_template.h"
-#include "meshes/load_cases/observables.h"
+#include "meshes/design/design_file.h"
 #include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"

@@ -6,8 +6,8 @@ namespace menger::meshes {
 namespace {
 
 TEST(WalkAgreement, ComparesDirectionsTheShortWayRound) {
-  EXPECT_DOUBLE_EQ(angle_between(170.0, -170.0), 20.0);
-  EXPECT_DOUBLE_EQ(angle_between(-90.0, 90.0), 180.0);
+  EXPECT_DOUBLE_EQ(angle_between_directions_deg(170.0, -170.0), 20.0);
+  EXPECT_DOUBLE_EQ(angle_between_directions_deg(-90.0, 90.0), 180.0);
   EXPECT_EQ(compare_walks({1.0, 5.0, 170.0}, {1.0, 5.0, -170.0}), WalkAgreement::alike);
   EXPECT_EQ(compare_walks({1.0, 5.0, 0.0}, {1.0, 5.0, 46.0}), WalkAgreement::different);
   EXPECT_EQ(compare_walks({1.0, 5.0, 0.0}, {1.0, 5.0}), WalkAgreement::alike) << "a direction that is not known does not differ";

@@ -13,8 +13,8 @@
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
+#include "meshes/design/design_file.h"
 #include "meshes/design/reference_shapes.h"
-#include "meshes/load_cases/observables.h"
 #include "tests/support/described_study.h"
 #include "tests/support/test_folder.h"
 
