@@ -78,7 +78,8 @@ constexpr const char* example =
     "  menger evolve paper/demo/study.toml -o demo/run.sqlite --threads 4\n"
     "  menger export demo/run.sqlite -o demo/champion\n"
     "On a cluster, mpirun or srun starts it several times: mpirun -n 16 menger-evolve study.toml. All of them evaluate, the\n"
-    "first one also searches and keeps the archive. The same results, whatever their number, except in a steady state.\n"
+    "first one also searches and keeps the archive. The same results, whatever their\n"
+    "number, except with population.selection = \"steady_state\".\n"
     "Exit codes: 0 done, 2 wrong input, 3 no robot has a fitness, 130 interrupted.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {

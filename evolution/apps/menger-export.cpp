@@ -48,8 +48,9 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   app.add_option("archive", arguments.archive, "Archive of a run")->required();
   app.add_option("-o,--output", arguments.folder, "Folder to write to")->capture_default_str();
   const CLI::Option* levels =
-      app.add_option("--levels", arguments.options.levels,
-                     "Levels at which the champion is simulated; of a search on finite elements that of the search alone")
+      app.add_option(
+             "--levels", arguments.options.levels,
+             "Levels at which the champion is simulated; a champion of finite elements walks at the level of its search alone")
           ->check(CLI::Range(1, 5))
           ->capture_default_str();
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")

@@ -61,9 +61,9 @@ std::vector<std::string> ScenarioEvaluator::scenarios() const {
 
 std::string ScenarioEvaluator::remark() const {
   std::vector<std::string> all;
-  for (const auto& scenario : scenarios_) {
-    std::string one = scenario->remark();
-    if (!one.empty() && std::ranges::find(all, one) == all.end()) all.push_back(std::move(one));
+  for (std::size_t n = 0; n < scenarios_.size(); ++n) {
+    const std::string one = scenarios_[n]->remark();
+    if (!one.empty()) all.push_back("in scenario " + std::to_string(n + 1) + ": " + one);
   }
   return io::joined(all, "; ");
 }

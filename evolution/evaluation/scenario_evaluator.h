@@ -27,7 +27,7 @@ class ScenarioEvaluator final : public DesignEvaluator {
   /// Returns the physics of the first scenario.
   [[nodiscard]] std::string physics() const override;
   [[nodiscard]] std::vector<std::string> scenarios() const override;
-  /// Returns the remarks of all scenarios, each once.
+  /// Returns the remarks of all scenarios: "in scenario 2: ...", in their order from 1.
   [[nodiscard]] std::string remark() const override;
   [[nodiscard]] double cost(const meshes::Polycube& body, int level) const override;
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -455,7 +454,6 @@ constexpr char refusal_follows = 'r';
 
 /// What the child process that reads a body answers. Files that are refused are told apart from those that end it.
 std::string answer_to(const BodyRequest& request) {
-  std::signal(SIGINT, SIG_IGN);  // Ctrl-C is for the program, and no fault of the file
   try {
     const std::vector<std::uint8_t> bytes = json::to_cbor(parts_of(BodyMotion(request).read()));
     return body_follows + std::string(bytes.begin(), bytes.end());

@@ -149,13 +149,14 @@ class Exporter {
   void remove_other_champion() const {
     const fs::path file = folder_ / "champion.toml";
     if (!io::is_file(file) || (result_.champion && io::read_whole(file) == meshes::design_text(design(1)))) return;
-    io::remove_if_there(file);
     io::remove_if_there(folder_ / "champion.png");
     for (int level = 1; level <= largest_exported_level; ++level) {
       io::remove_if_there(folder_ / ("champion_level_" + std::to_string(level) + ".toml"));
-      io::remove_files(place_of(level), {"scene.toml", "result.toml", "trajectory.csv", "check_dt.csv", "robot.png",
-                                         "trajectory.png", "frames.pvd", "frames/*.vtu", "locomotion.toml", "manifest.json"});
+      io::remove_files(place_of(level),
+                       {"scene.toml", "result.toml", "trajectory.csv", "check_dt.csv", "robot.png", "trajectory.png",
+                        "frames.pvd", "frames/*.vtu", "locomotion.toml", "locomotion.checkpoint", "manifest.json"});
     }
+    io::remove_if_there(file);  // last: it tells that there is something to remove
   }
 
   void write_champion() {

@@ -23,7 +23,7 @@ struct SearchProgress {
 };
 
 /// Options that decide how a search runs. They do not change its results, but for ends_with, and in a steady-state search the
-/// number of threads and the order that it follows.
+/// number of threads and the order in `replayed`.
 struct SearchOptions {
   int threads = 1;                          ///< >= 1, of this process if it has no other workers
   const std::atomic<bool>* stop = nullptr;  ///< when set, the search ends soon and drops the evaluations that are running

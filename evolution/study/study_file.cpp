@@ -151,7 +151,8 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   SearchPlan& plan = study.search;
   visitor.word({"model",
                 "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
-                "single modules or aggregates of one level; both: voxels with the parameters of [surrogate] choose which new "
+                "single modules, or aggregates of them (body.levels = [2]); both: voxels with the parameters of [surrogate] "
+                "choose which new "
                 "bodies walk on finite elements, "
                 "which alone decide who survives."},
                study.model, io::words_of(voxels, finite_elements, both));

@@ -70,8 +70,8 @@ void bound_memory(const std::filesystem::path& file) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // NOLINT(cppcoreguidelines-pro-type-vararg): POSIX
   if (::getppid() != parent) ::_exit(1);
   // The handlers of this program, or of MPI, would print and wait for others.
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM}) ::signal(signal, SIG_DFL);
-  ::signal(SIGINT, SIG_IGN);  // Ctrl-C reaches both processes: the parent decides what it means
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_IGN);  // they reach both: the parent decides what they mean
   const rlimit no_core{};
   (void)::setrlimit(RLIMIT_CORE, &no_core);
   bound_memory(file);
@@ -114,8 +114,7 @@ std::string read_in_child(const std::filesystem::path& file, const std::string& 
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     const std::string named = "signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
-    if (signal == SIGKILL || signal == SIGTERM)
-      throw std::runtime_error(file.string() + ": its reader was ended by " + named + ", maybe for want of memory");
+    if (signal == SIGKILL) throw fault("cannot be read: its reader was ended by " + named + ", maybe for want of memory");
     throw fault("is damaged: the library of " + library + ", which reads it, ended with " + named);
   }
   if (reply.empty() || WEXITSTATUS(status) != 0) throw std::runtime_error(file.string() + ": its reader ended without an answer");

@@ -276,11 +276,10 @@ void describe(io::StudyVisitor& visitor, Robot& robot) {
         {"present",
          "Whether it is put on the ground and driven. false for a finger or a gripper: it is inflated without a ground."},
         robot.walks);
-    visitor.number(
-        {"duration_s",
-         "Simulated time. Robots of a search walk for six strokes instead, of which the last five count; the study that "
-         "menger loop --write-studies writes for it can be given another time."},
-        robot.duration_s, {.lowest = 0.0, .highest = longest_walk_s, .lowest_excluded = true});
+    visitor.number({"duration_s",
+                    "Simulated time. Robots of a search walk for six strokes instead; a copy of the study that "
+                    "menger loop --write-studies writes for it can be given another time."},
+                   robot.duration_s, {.lowest = 0.0, .highest = longest_walk_s, .lowest_excluded = true});
     visitor.word({"fidelity",
                   "How finely walls are cut into finite elements, also where the body is inflated. The robot walks on the next "
                   "finer ones, too, to show how well "

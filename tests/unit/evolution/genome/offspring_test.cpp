@@ -4,8 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "io/text/input_error.h"
+#include "tests/support/input_error_message.h"
 
 namespace menger::evolution {
 namespace {
@@ -106,6 +109,19 @@ TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
     EXPECT_NEAR(counts.at(changed) / static_cast<double>(samples), probability,
                 4.0 * std::sqrt(probability * (1.0 - probability) / samples))
         << changed;
+  }
+}
+
+TEST(Offspring, ConstraintsThatNoBodyMeetsAreNamed) {
+  for (const auto& [plan, word] : {std::pair{BodyPlan::fractal, "smallest_body_cells = 28"},
+                                   {BodyPlan::nonfractal, "smallest_arranged_body_cells = 20000"}}) {
+    OffspringOptions options = released_options(plan);
+    options.constraints.smallest_body = 28;
+    options.constraints.smallest_arranged_body = 20000;
+    options.largest_draws = 3;
+    RandomStream random(8, "none");
+    const std::string message = tests::message_of([&] { (void)random_offspring(options, random); });
+    EXPECT_NE(message.find(word), std::string::npos) << message;
   }
 }
 

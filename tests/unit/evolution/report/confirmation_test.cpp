@@ -135,6 +135,19 @@ TEST_F(ConfirmationTest, WalksOnSomeOfTheFinerElementsConfirmNothing) {
   EXPECT_EQ(confirmations(study, archive).size(), 4U);
 }
 
+TEST_F(ConfirmationTest, AWalkOfAnotherLevelIsAnotherWalk) {
+  const Study study = read();
+  make("run.sqlite", study, {hook});
+  RunArchive archive = RunArchive::open_to_extend(folder_ / "run.sqlite");
+  Reevaluation walked{.design_hash = "hash", .level = 2, .protocol = "protocol", .variant = "", .result = {}};
+  walked.result.status = io::RunStatus::completed;
+  walked.result.displacement_m = {0.1, 0.0, 0.0};
+  archive.add_reevaluations({&walked, 1});
+  const MadeWalks made(archive);
+  EXPECT_TRUE(made.in_scenarios({"protocol"}, "hash", 2));
+  EXPECT_FALSE(made.in_scenarios({"protocol"}, "hash", 1));
+}
+
 TEST_F(ConfirmationTest, ABodyOfSeveralRobotsWalksOnce) {
   const Study study = read();
   make("run.sqlite", study, {hook, bar});

@@ -58,5 +58,23 @@ TEST(IndividualTable, HasEveryBodyWithItsResults) {
   }
 }
 
+TEST(GenerationSummary, CountsEvaluationsOutsideTheRangeInAllScenarios) {
+  const tests::TestFolder folder;
+  RunArchive archive = RunArchive::open(folder / "run.sqlite", "a study", 1);
+  const auto add = [&](const std::string& design, const std::string& physics, int generation, const std::string& outside) {
+    Evaluation result;
+    result.outside_validity = outside;
+    archive.add_evaluation({design, 1, io::content_hash(physics)}, {generation, result});
+  };
+  add("a", "smooth", 1, "7 kPa");
+  add("a", "rough", 1, "7 kPa");
+  add("b", "rough", 1, "");
+  add("c", "rough", 0, "7 kPa");
+  add("d", "surrogate", 1, "7 kPa");
+  const RunView run{.archive = &archive, .plan = {}, .physics = "smooth", .scenario_physics = {"smooth", "rough"}};
+  EXPECT_EQ(evaluations_outside_validity(run, 0), 1U);
+  EXPECT_EQ(evaluations_outside_validity(run, 1), 2U);
+}
+
 }  // namespace
 }  // namespace menger::evolution

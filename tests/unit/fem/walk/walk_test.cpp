@@ -209,6 +209,15 @@ TEST(Walk, BadInputNamesItsKey) {
             "material.density_kg_per_m3: is missing: a law without a record has no density");
   EXPECT_EQ(refusal([](WalkInput& i) { i.stated_ground.friction.static_coefficient = 0.1; }),
             "ground.static_friction: 0.1: must be at least the kinetic one");
+  EXPECT_EQ(refusal([](WalkInput& i) { i.stated_ground.friction.regularisation_speed_m_per_s = -1.0; }),
+            "ground.regularisation_speed_m_per_s: -1: must be >= 0");
+  const auto along_x = [](double backward, double sideways) {
+    return DirectionalFriction{.forward = {1.0, 0.0}, .backward_factor = backward, .sideways_factor = sideways};
+  };
+  EXPECT_EQ(refusal([&](WalkInput& i) { i.stated_ground.friction.directional = along_x(-2.0, 1.0); }),
+            "ground.directional.backward_factor: -2: must be >= 0");
+  EXPECT_EQ(refusal([&](WalkInput& i) { i.stated_ground.friction.directional = along_x(1.0, -2.0); }),
+            "ground.directional.sideways_factor: -2: must be >= 0");
   EXPECT_NE(refusal([](WalkInput& i) { i.stated_ground.height_m = 1.0; }).find("ground.height_m: is above"), std::string::npos);
   EXPECT_NE(refusal([](WalkInput& i) { i.hollow.wall_thickness_m = 6e-3; }).find("design: "), std::string::npos);
   EXPECT_NE(refusal([](WalkInput& i) { i.step_safety = 2.0; }).find("step_safety = 2"), std::string::npos);
