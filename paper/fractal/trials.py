@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv and trials.svg.
+"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv, on_the_way.csv
+and trials.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              two_scales_balanced/SEED.csv, random_search/SEED.csv, and three_scales/SEED.csv in both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on
 stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
-at the last generation that both have: by the rank-sum test, or by the signed-rank test where they have the same seeds and so begin with
+at the last generation that both have (on_the_way.csv: every twentieth before it): by the rank-sum test, or by the signed-rank test where they have the same seeds and so begin with
 the same robots. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which
 the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared
 with trials of random search, which draw as many robots.
@@ -61,6 +62,7 @@ DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
+STRIDE = 20  # generations between comparisons on the way
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
 
 
@@ -138,21 +140,33 @@ def statistics(arms):
     return rows
 
 
-def comparisons(arms):
-    rows = []
+def comparison(names, one, other, generation):
+    """Of the best robots at a generation."""
+    ends = [[trial.best[generation] for trial in trials] for trials in (one, other)]
+    are_pairs = [trial.seed for trial in one] == [trial.seed for trial in other]
+    larger = share_of_larger_pairs(*ends) if are_pairs else share_of_larger(*ends)
+    p = signed_rank(*ends) if are_pairs else rank_sum(*ends)
+    return {"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": generation,
+            "test": "signed rank" if are_pairs else "rank sum", "p": p} | larger.cells("larger") | {
+            "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))}
+
+
+def compared(arms):
+    """Which arms are compared: their names, their trials, and the last generation that both have."""
     for names in COMPARISONS:
-        if not set(names) <= set(arms):
-            continue
-        one, other = (arms[name] for name in names)
-        shared = min(len(trials[0].best) for trials in (one, other)) - 1
-        ends = [[trial.best[shared] for trial in trials] for trials in (one, other)]
-        are_pairs = [trial.seed for trial in one] == [trial.seed for trial in other]
-        larger = share_of_larger_pairs(*ends) if are_pairs else share_of_larger(*ends)
-        p = signed_rank(*ends) if are_pairs else rank_sum(*ends)
-        rows.append({"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": shared,
-                     "test": "signed rank" if are_pairs else "rank sum", "p": p} | larger.cells("larger") | {
-                     "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))})
-    return rows
+        if set(names) <= set(arms):
+            one, other = (arms[name] for name in names)
+            yield names, one, other, min(len(trials[0].best) for trials in (one, other)) - 1
+
+
+def comparisons(arms):
+    return [comparison(names, one, other, last) for names, one, other, last in compared(arms)]
+
+
+def on_the_way(arms):
+    """The same at every twentieth generation before the last one."""
+    rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE)]
+    return [{"arms": row["arms"], "generations": row["generations"]} | row for row in rows]
 
 
 def draw_mean(panel, curves, colour, dashes, label):
@@ -262,7 +276,8 @@ def main(arguments):
     arms = {name: found[name] for name in DRAWN if name in found}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")
-    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("comparisons", comparisons(arms))):
+    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("comparisons", comparisons(arms)),
+                       ("on_the_way", on_the_way(arms))):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
     draw(arms)

@@ -744,6 +744,18 @@ class Trials(Case):
         champions = {(row["arm"], row["seed"]): (row["body_lengths_per_minute"], row["cells"]) for row in table_of(self.tree / "paper/fractal/champions.csv")}
         self.assertEqual(champions, {("fractal", "1"): ("12", "9"), ("fractal", "2"): ("12", "9"), ("fractal_longer", "2"): ("108", "27")})
 
+    def test_arms_are_also_compared_on_the_way(self):
+        for folder, seeds, speed in (("fractal", (1, 2, 3), 0.02), ("non_fractal", (1001, 1002, 1003), 0.01)):
+            for seed in seeds:
+                self.trial(f"{folder}/two_scales", seed, 0.0)
+                with open(self.tree / f"paper/{folder}/two_scales/{seed}.csv", "a", encoding="utf-8") as text:
+                    text.writelines(f"{n},{speed * n},9,2,{speed * n},{speed * n}\n" for n in range(3, 61))
+        self.done(self.script)
+        rows = table_of(self.tree / "paper/fractal/on_the_way.csv")
+        self.assertEqual([(row["arms"], row["generations"], row["larger"], row["medians_ratio"]) for row in rows],
+                         [("fractal and non_fractal", at, "1", "2") for at in ("20", "40")])
+        self.assertEqual(table_of(self.tree / "paper/fractal/comparisons.csv")[0]["generations"], "60")
+
     def test_longer_trials_are_compared_as_far_as_all_of_them_go(self):
         for folder, seeds, last in (("fractal", (1, 2, 3), 2.0), ("non_fractal", (1001, 1002, 1003), 1.0)):
             for seed in seeds:
