@@ -51,7 +51,7 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
       app.add_option(
              "--levels", arguments.options.levels,
              "Levels at which the champion is simulated; a champion of finite elements walks at the level of its search alone")
-          ->check(CLI::Range(1, 5))
+          ->check(CLI::Range(1, largest_exported_level))
           ->capture_default_str();
   app.add_option("--record-interval", arguments.options.record_interval_s, "Simulated seconds between two frames")
       ->capture_default_str();

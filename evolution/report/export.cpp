@@ -58,9 +58,6 @@ std::string displacement_text(const Displacement& displacement_m) {
   return io::toml_value_text(std::span<const double>(*displacement_m)) + " m";
 }
 
-/// The highest level that a champion is exported at.
-constexpr int largest_exported_level = 5;
-
 class Exporter {
  public:
   Exporter(const RunArchive& archive, const fs::path& folder, const ExportOptions& options)

@@ -13,6 +13,9 @@
 
 namespace menger::evolution {
 
+/// The highest level that a champion is exported at.
+inline constexpr int largest_exported_level = 5;
+
 /// What is exported besides the tables.
 struct ExportOptions {
   std::vector<int> levels{1, 2, 3};  ///< at which the champion is simulated, whatever levels the study evaluated

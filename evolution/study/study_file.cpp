@@ -152,9 +152,7 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   visitor.word({"model",
                 "What moves bodies. voxels: point masses and beams; finite_elements: elements of hollow bodies of silicone, for "
                 "single modules, or aggregates of them (body.levels = [2]); both: voxels with the parameters of [surrogate] "
-                "choose which new "
-                "bodies walk on finite elements, "
-                "which alone decide who survives."},
+                "choose which new bodies walk on finite elements, which alone decide who survives."},
                study.model, io::words_of(voxels, finite_elements, both));
   // Archives of earlier versions do not have this key, and go on with it at its default.
   if (part == Part::whole || study.device != io::Device::cpu) {

@@ -58,8 +58,7 @@ std::vector<std::filesystem::path> study_inputs(const std::filesystem::path& fil
 std::string resolved_text(const Study& study);
 
 /// Returns the same without what decides only when a search ends and what follows: the number of generations, the budget, and the
-/// number of robots to confirm. One run can continue another exactly if these
-/// texts are equal.
+/// number of robots to confirm. One run can continue another exactly if these texts are equal.
 std::string identity_text(const Study& study);
 
 /// Reads the study from the text of resolved_text or of a preset. @param file for messages only @throws io::InputError as

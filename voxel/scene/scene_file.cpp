@@ -1,15 +1,12 @@
 #include "voxel/scene/scene_file.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 
 #include "io/study/study_reader.h"
 #include "io/study/study_text.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
-#include "io/text/number_text.h"
 #include "io/text/range.h"
 #include "io/text/toml_document.h"
 #include "voxel/engine/scale_check.h"

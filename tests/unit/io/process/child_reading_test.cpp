@@ -16,6 +16,15 @@ using tests::message_of;
 
 std::string read(const std::function<std::string()>& in_child) { return read_in_child("folder/a.msh", "Gmsh", in_child); }
 
+std::string message_of_reader_ended_by(int signal) {
+  return message_of([&] {
+    (void)read([&]() -> std::string {
+      (void)std::raise(signal);
+      return {};
+    });
+  });
+}
+
 TEST(ChildReading, ReturnsWhatTheChildReads) {
   EXPECT_EQ(read([] { return std::string(); }), "");
   const std::string long_text = std::string(3'000'000, 'a') + std::string(1, '\0') + "b";
@@ -36,12 +45,7 @@ TEST(ChildReading, PassesErrorsOn) {
 }
 
 TEST(ChildReading, TurnsTheEndOfALibraryIntoAnErrorOfTheFile) {
-  EXPECT_EQ(message_of([] {
-              (void)read([]() -> std::string {
-                (void)std::raise(SIGSEGV);
-                return {};
-              });
-            }),
+  EXPECT_EQ(message_of_reader_ended_by(SIGSEGV),
             "folder/a.msh: is damaged: the library of Gmsh, which reads it, ended with signal 11 (Segmentation fault)");
 }
 
@@ -57,12 +61,7 @@ TEST(ChildReading, LeavesInterruptsToThisProcess) {
 }
 
 TEST(ChildReading, DoesNotBlameTheFileForAReaderThatWasEnded) {
-  EXPECT_EQ(message_of([] {
-              (void)read([]() -> std::string {
-                (void)std::raise(SIGKILL);
-                return {};
-              });
-            }),
+  EXPECT_EQ(message_of_reader_ended_by(SIGKILL),
             "folder/a.msh: cannot be read: its reader was ended by signal 9 (Killed), maybe for want of memory");
 }
 
