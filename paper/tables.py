@@ -162,9 +162,10 @@ def filled_text(text, file, tree):
 
 
 def texts_of(tree):
-    """All texts of the tree that have blocks; results and builds are no part of it."""
-    files = [file for file in sorted(tree.rglob("*.md")) if file.relative_to(tree).parts[0] not in ("build", "demo")]
-    return [file for file in files if OPENING.search(file.read_text(encoding="utf-8"))]
+    """All texts of the tree that have blocks; results and builds are no part of it, and are not looked into: they may change."""
+    parts = [part for part in tree.iterdir() if part.name not in ("build", "demo", ".git")]
+    files = [file for part in parts for file in ([part] if part.suffix == ".md" else part.rglob("*.md"))]
+    return [file for file in sorted(files) if OPENING.search(file.read_text(encoding="utf-8"))]
 
 
 def first_difference(before, after):
