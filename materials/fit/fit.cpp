@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
@@ -104,23 +105,22 @@ void assess_law(LawFit& fit, double largest_stretch) {
   fit.plausible = fit.equibiaxial_ratio && *fit.equibiaxial_ratio >= lowest_ratio && *fit.equibiaxial_ratio <= highest_ratio;
 }
 
-/// Whether the test determines every parameter of the law. No parameter may be at a bound of its search range, and no interval
-/// may be missing or contain 0. A modulus held at zero is allowed: it only makes the law a simpler one.
-bool is_determined(const LawFit& fit) {
+/// Says which parameters the test does not determine. No parameter may be at a bound of its search range, and no interval may be
+/// missing or contain 0. A modulus held at zero is allowed: it only makes the law a simpler one.
+std::vector<std::string> undetermined_parts(const LawFit& fit) {
   const auto parameters = parameters_of(fit.law);
-  if (fit.confidence_95.size() != parameters.size()) return false;
+  if (fit.confidence_95.size() != parameters.size()) return {"the test does not determine its parameters"};
+  std::vector<std::string> parts;
   for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const auto& [name, value] = parameters[p];
     const auto& interval = fit.confidence_95[p];
-    if (!interval && parameters[p].second != 0.0) return false;
-    if (interval && interval->first <= 0.0 && interval->second >= 0.0) return false;
+    if (!interval && value != 0.0) parts.push_back(name + " is at a bound of its search");
+    if (interval && interval->first <= 0.0 && interval->second >= 0.0) parts.push_back("the interval of " + name + " contains 0");
   }
-  return true;
+  return parts;
 }
 
-bool is_usable(const LawFit& fit) {
-  return fit.status == io::RunStatus::completed && fit.stable_with_margin && fit.plausible && fit.cancelled == 0.0 &&
-         is_determined(fit) && fit.relative_rmse <= close_enough;
-}
+bool is_usable(const LawFit& fit) { return shortcomings_of(fit).empty(); }
 
 /// Returns the key by which fits are ranked; smaller is better.
 std::array<double, 3> rank_of(const LawFit& fit) {
@@ -148,6 +148,31 @@ bool has_empty_term(const HyperelasticLaw& law) {
 }
 
 }  // namespace
+
+FittedRows fitted_rows(const TensileTest& test, const StrainRange& range) {
+  FittedRows rows;
+  for (const double strain : test.strain) {
+    if (strain < range.lowest || strain > range.highest) continue;
+    rows.lowest_strain = rows.count == 0 ? strain : std::min(rows.lowest_strain, strain);
+    rows.highest_strain = rows.count == 0 ? strain : std::max(rows.highest_strain, strain);
+    ++rows.count;
+  }
+  return rows;
+}
+
+std::vector<std::string> shortcomings_of(const LawFit& fit) {
+  std::vector<std::string> reasons;
+  if (fit.status != io::RunStatus::completed) reasons.emplace_back("the solver did not converge");
+  if (!fit.stable) reasons.emplace_back("unstable");
+  if (fit.stable && !fit.stable_with_margin) reasons.emplace_back("unstable soon beyond the fitted strains");
+  if (!fit.plausible) reasons.emplace_back("its equibiaxial stress is not that of a silicone");
+  if (fit.cancelled != 0.0) reasons.emplace_back("it has terms of opposite signs");
+  if (!(fit.relative_rmse <= close_enough)) {
+    reasons.push_back("its RMSE is more than " + io::shown(100.0 * close_enough) + " % of the largest stress");
+  }
+  for (std::string& part : undetermined_parts(fit)) reasons.push_back(std::move(part));
+  return reasons;
+}
 
 std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range,
                              const std::function<void(double done, std::string_view law)>& progress) {

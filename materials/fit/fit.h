@@ -20,6 +20,16 @@ struct StrainRange {
   double highest = 1.0;
 };
 
+/// The rows of a test that lie in a range of strains.
+struct FittedRows {
+  std::size_t count = 0;
+  double lowest_strain = 0.0;   ///< the smallest strain of these rows; 0 without rows
+  double highest_strain = 0.0;  ///< the largest one
+};
+
+/// Returns which rows of a test a fit to this range takes.
+FittedRows fitted_rows(const TensileTest& test, const StrainRange& range);
+
 /// A law fitted to a tensile test, and how reliable the fit is.
 struct LawFit {
   /// Name of the law, with "_non_negative" if its moduli were not allowed to be negative.
@@ -84,6 +94,9 @@ struct LawFit {
 /// stress
 std::vector<LawFit> fit_laws(const TensileTest& test, const StrainRange& range,
                              const std::function<void(double done, std::string_view law)>& progress = {});
+
+/// Says why a fit is not usable, one reason each; empty if it is usable (see fit_laws).
+std::vector<std::string> shortcomings_of(const LawFit& fit);
 
 /// Says which fits were left out or do not count because their terms cancel, one sentence each.
 std::vector<std::string> cancelling_notes(const std::vector<LawFit>& ranking);

@@ -69,7 +69,7 @@ io::PictureOutcome write_fit_chart(const std::filesystem::path& file, const FitR
   // The chart leaves room for laws above the measurement, but not for those far beyond it.
   const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
   const double room = 0.3 * std::max(*highest, -*lowest);
-  io::ChartPanel stable{.title = "stable laws with their RMS error, the best first",
+  io::ChartPanel stable{.title = "stable laws with their RMS error: usable laws first, each group by AIC",
                         .x = {.title = "stretch", .lowest = span.low, .highest = span.high},
                         .y = {.title = "nominal stress (kPa)",
                               .lowest = *lowest < 0.0 ? *lowest - room : 0.0,
@@ -77,7 +77,7 @@ io::PictureOutcome write_fit_chart(const std::filesystem::path& file, const FitR
                         .series = {},
                         .markers = {{io::ChartMarker::Direction::vertical, span.fitted, "largest fitted stretch"}}};
   io::ChartPanel unstable = stable;
-  unstable.title = "laws that are not stable, with their RMS error";
+  unstable.title = "laws that are not stable, with their RMS error: by AIC";
   for (std::size_t place = 0; place < report.ranking.size(); ++place) {
     const LawFit& fit = report.ranking[place];
     (fit.stable ? stable : unstable).series.push_back(curve_of(fit, place, span));

@@ -1,9 +1,11 @@
 #include "materials/fit/fit_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "io/text/csv_table.h"
+#include "io/text/formatted.h"
 #include "io/text/number_text.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
@@ -52,6 +54,9 @@ std::string table_of(const LawFit& fit) {
   text += line("relative_rmse", fit.relative_rmse);
   text += line("r_squared", fit.r_squared);
   text += line("aic", fit.aic);
+  const std::vector<std::string> shortcomings = shortcomings_of(fit);
+  text += line("usable", shortcomings.empty());
+  if (!shortcomings.empty()) text += line("not_usable_because", quoted_list(shortcomings));
   text += line("stable", fit.stable);
   text += line("stable_with_margin", fit.stable_with_margin);
   text += optional_line("unstable_from_uniaxial_stretch", fit.unstable_uniaxial);
@@ -86,21 +91,41 @@ io::CsvTable curves_of(const FitReport& report, const TensileTest& test) {
 
 }  // namespace
 
-std::string fit_text(const FitReport& report) {
+std::string fit_text(const FitReport& report, const TensileTest& test) {
+  const FittedRows rows = fitted_rows(test, report.range);
   std::string text = line("material", io::toml_quoted(report.material));
   text += line("test", io::toml_quoted(report.file.filename().string()));
   if (!report.strain_source.empty()) text += line("strain_source", io::toml_quoted(report.strain_source));
   text += line("repairs", quoted_list(report.repairs));
-  text += line("lowest_strain", report.range.lowest) + line("highest_strain", report.range.highest);
+  text += line("range", "[" + io::number_text(report.range.lowest) + ", " + io::number_text(report.range.highest) + "]");
+  text += line("lowest_strain", rows.lowest_strain) + line("highest_strain", rows.highest_strain);
   text += line("notes", quoted_list(cancelling_notes(report.ranking)));
   if (const LawFit* best = recommended_fit(report.ranking)) text += line("recommended", io::toml_quoted(best->name));
   for (const LawFit& fit : report.ranking) text += table_of(fit);
   return text;
 }
 
+std::string silicone_text(const FitReport& report, const TensileTest& test, const LawFit& law, double density_kg_per_m3) {
+  const FittedRows rows = fitted_rows(test, report.range);
+  std::vector<std::string> not_measured{"bulk modulus", "damping", "friction"};
+  if (rows.lowest_strain >= 0.0) not_measured.emplace_back("compression");
+  std::string source = "tensile test " + report.file.filename().string() + ", strains of " + io::shown(rows.lowest_strain) +
+                       " to " + io::shown(rows.highest_strain) + ", fitted by menger fit";
+  for (const std::string& repair : report.repairs) source += "; " + repair;
+  std::string text(silicone_text_start);
+  text += line("name", io::toml_quoted(report.material));
+  text += line("not_measured", quoted_list(not_measured));
+  text += "\n[data_sheet]\n" + line("source", io::toml_quoted("--density of menger fit"));
+  text += line("density_kg_per_m3", density_kg_per_m3);
+  text += "\n[recommended]\n" + line("source", io::toml_quoted(source));
+  text += line("smallest_stretch", std::min(1.0, 1.0 + rows.lowest_strain));
+  text += line("largest_stretch", 1.0 + rows.highest_strain);
+  return text + "[recommended.law]\n" + law_text(law.law);
+}
+
 void write_fits(const std::filesystem::path& folder, const FitReport& report, const TensileTest& test) {
   io::require_writable_folder(folder);
-  io::write_whole(folder / "fits.toml", fit_text(report));
+  io::write_whole(folder / "fits.toml", fit_text(report, test));
   curves_of(report, test).write(folder / "curves.csv");
 }
 

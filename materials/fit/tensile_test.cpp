@@ -125,7 +125,18 @@ std::pair<std::string, Column> find_column(const io::CsvContents& table, const s
   throw io::InputError(file.string() + ":1: header = \"" + header + "\": one column must be " + demand);
 }
 
-TensileTest read_plain_test(const std::string& text, const std::filesystem::path& file) {
+/// Refuses a table of semicolons or tabs by its header, before its rows are refused for what they are not.
+void require_commas(const std::vector<std::string_view>& lines, const std::filesystem::path& file) {
+  const auto header = std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return !line.empty(); });
+  if (header == lines.end() || header->find(',') != std::string_view::npos) return;
+  if (header->find_first_of(";\t") == std::string_view::npos) return;
+  refuse(file, static_cast<std::size_t>(header - lines.begin()) + 1,
+         "header = \"" + std::string(*header) + "\": columns must be separated by commas, and numbers have a decimal point");
+}
+
+TensileTest read_plain_test(const std::string& text, const std::vector<std::string_view>& lines,
+                            const std::filesystem::path& file) {
+  require_commas(lines, file);
   const io::CsvContents table = io::parse_csv(text, file);
   const auto [strain_name, strain] = find_column(table, strain_columns, "strain, strain_percent or stretch", file);
   const auto [stress_name, stress] = find_column(table, stress_columns, "stress_Pa, stress_kPa, stress_MPa or stress_psi", file);
@@ -145,7 +156,7 @@ TensileTest read_tensile_test(const std::filesystem::path& file) {
   const std::string text = io::read_whole(file);
   const std::vector<std::string_view> lines = lines_of(text);
   const bool is_database = std::any_of(lines.begin(), lines.end(), [](auto line) { return line.starts_with(header_start); });
-  TensileTest test = is_database ? read_database_test(lines, file) : read_plain_test(text, file);
+  TensileTest test = is_database ? read_database_test(lines, file) : read_plain_test(text, lines, file);
   if (test.material.empty()) test.material = file.stem().string();
   if (test.strain.size() < 2) throw io::InputError(file.string() + ": must hold at least two rows of data");
   return test;

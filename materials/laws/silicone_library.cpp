@@ -12,6 +12,11 @@ namespace menger::materials {
 namespace fs = std::filesystem;
 
 fs::path silicone_file(const io::TomlTable& table, std::string_view key, const std::string& fallback) {
+  if (table.is_text(key) && table.text(key).ends_with(".csv")) {
+    throw table.error(key,
+                      "is a table, such as a tensile test, not a record of a silicone: see \"Your own silicone\" in "
+                      "materials/README.md");
+  }
   if (!fallback.empty() && table.text_or(key, fallback) == fallback && !table.has(key)) return *silicone_of_menger(fallback);
   return io::file_or_data(table, key, io::silicone_data);
 }

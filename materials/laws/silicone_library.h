@@ -13,8 +13,8 @@ namespace menger::materials {
 /// relative to the file of the table) or the name of a record of menger, such as "dragon_skin_10". Records lie
 /// in the data folder of menger (io::data_folder).
 /// @param fallback name to use if the key is missing; empty: the key is required
-/// @throws io::InputError naming the key and the known records if the name is not among them; like TomlTable if the key is
-/// missing or not a text
+/// @throws io::InputError naming the key and the known records if the name is not among them, or if it is a CSV file; like
+/// TomlTable if the key is missing or not a text
 std::filesystem::path silicone_file(const io::TomlTable& table, std::string_view key, const std::string& fallback = "");
 
 /// Returns the file of a record of menger; nothing if there is none of that name.

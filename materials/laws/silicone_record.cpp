@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
+#include <string_view>
 #include <utility>
 
+#include "io/text/joined_text.h"
 #include "io/text/toml_document.h"
 #include "materials/laws/law_file.h"
 
@@ -18,14 +20,36 @@ std::string read_filled(const io::TomlTable& table, std::string_view key) {
   return text;
 }
 
+/// Refuses a result of menger fit, and a file that lacks several keys, with all of them. One missing key is refused where it is
+/// read, with its line.
+void require_record(const io::TomlTable& table) {
+  constexpr std::string_view advice = ": see \"Your own silicone\" in materials/README.md";
+  if (table.has("fits") && !table.has("name")) {
+    throw io::InputError(table.file().string() + ": is a result of menger fit, not a record of a silicone" + std::string(advice));
+  }
+  std::vector<std::string> missing;
+  const auto look_for = [&](const char* name, const std::vector<const char*>& keys) {
+    if (table.has(name) && !table.is_table(name)) return;  // refused where it is read
+    const io::TomlTable inner = table.table_or_empty(name);
+    for (const char* key : keys)
+      if (!inner.has(key)) missing.push_back(std::string(name) + "." + key);
+  };
+  if (!table.has("name")) missing.emplace_back("name");
+  look_for("data_sheet", {"source", "density_kg_per_m3"});
+  look_for("recommended", {"source", "smallest_stretch", "largest_stretch", "law"});
+  if (missing.size() < 2) return;
+  throw io::InputError(table.file().string() + ": a record of a silicone must have " + io::joined(missing) +
+                       ", which are missing" + std::string(advice));
+}
+
 DataSheet read_data_sheet(const io::TomlTable& table) {
   DataSheet sheet;
   sheet.source = read_filled(table, "source");
   sheet.density_kg_per_m3 = table.number("density_kg_per_m3", io::positive());
-  sheet.shore_hardness = read_filled(table, "shore_hardness");
-  sheet.modulus_100_percent_Pa = table.number("modulus_100_percent_Pa", io::positive());
-  sheet.tensile_strength_Pa = table.number("tensile_strength_Pa", io::positive());
-  sheet.elongation_at_break = table.number("elongation_at_break", io::positive());
+  if (table.asks_for("shore_hardness")) sheet.shore_hardness = read_filled(table, "shore_hardness");
+  sheet.modulus_100_percent_Pa = table.optional_number("modulus_100_percent_Pa", io::positive());
+  sheet.tensile_strength_Pa = table.optional_number("tensile_strength_Pa", io::positive());
+  sheet.elongation_at_break = table.optional_number("elongation_at_break", io::positive());
   return sheet;
 }
 
@@ -87,12 +111,13 @@ std::pair<SourcedLaw, SourcedLaw> softest_and_stiffest(std::span<const SourcedLa
 
 SiliconeRecord read_silicone(const std::filesystem::path& file) {
   const io::TomlTable table = io::read_toml(file);
+  require_record(table);
   SiliconeRecord record;
   record.name = read_filled(table, "name");
   record.data_sheet = read_data_sheet(table.table("data_sheet"));
   record.recommended = read_sourced_law(table.table("recommended"));
   for (const io::TomlTable& other : table.optional_tables("others")) record.others.push_back(read_sourced_law(other));
-  record.not_measured = table.texts("not_measured");
+  if (table.asks_for("not_measured")) record.not_measured = table.texts("not_measured");
   if (const auto loss = table.optional_table("loss")) record.loss = read_loss(*loss);
   if (const auto friction = table.optional_table("friction")) record.friction = read_friction(*friction);
   const bool is_missing =

@@ -11,14 +11,15 @@
 
 namespace menger::materials {
 
-/// The properties of the cured silicone that the manufacturer states.
+/// The properties of the cured silicone that the manufacturer states, or that were measured. Computations use the density; a
+/// record of one's own mix may leave out the others.
 struct DataSheet {
   std::string source;
   double density_kg_per_m3 = 0.0;
-  std::string shore_hardness;           ///< with its scale: "10A", "00-30"
-  double modulus_100_percent_Pa = 0.0;  ///< nominal stress at a uniaxial stretch of 2
-  double tensile_strength_Pa = 0.0;
-  double elongation_at_break = 0.0;  ///< a fraction: 10 means that the length grows by ten times the original length
+  std::string shore_hardness;                      ///< with its scale: "10A", "00-30"; empty if it is not stated
+  std::optional<double> modulus_100_percent_Pa{};  ///< nominal stress at a uniaxial stretch of 2
+  std::optional<double> tensile_strength_Pa{};
+  std::optional<double> elongation_at_break{};  ///< a fraction: 10 means that the length grows by ten times the original length
 };
 
 /// A law with its source and the stretches in which it is valid.
@@ -71,10 +72,10 @@ struct SiliconeRecord {
   std::vector<SourcedLaw> others;  ///< fits of tests and published constants: shape of the curve, bounds of the stiffness
   std::optional<LossData> loss;    ///< nothing if damping was not measured
   std::optional<PublishedFriction> friction;  ///< of silicones; that of this one is not measured
-  std::vector<std::string> not_measured;      ///< quantities for which no number with a source is known
+  std::vector<std::string> not_measured;      ///< quantities for which no number with a source is known; may be left out
 };
 
-/// Reads a record. @throws io::InputError with file, key and value for wrong input
+/// Reads a record. @throws io::InputError with file, key and value for wrong input; with all keys if several are missing
 SiliconeRecord read_silicone(const std::filesystem::path& file);
 
 }  // namespace menger::materials

@@ -37,7 +37,7 @@ struct StudyLaw {
   double largest_stretch = std::numeric_limits<double>::infinity();
   std::string source{};  ///< source of the record's law
 
-  /// Returns the name for messages: "Dragon Skin 10, yeoh", "a neo_hookean law in place".
+  /// Returns the name for messages: "Dragon Skin 10, yeoh", "inline neo_hookean".
   [[nodiscard]] std::string name() const;
 };
 

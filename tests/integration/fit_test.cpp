@@ -12,6 +12,7 @@
 #include "io/text/whole_file.h"
 #include "materials/laws/homogeneous_deformations.h"
 #include "materials/laws/law_file.h"
+#include "materials/laws/study_law.h"
 #include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 
@@ -103,21 +104,97 @@ TEST_F(FitProgram, MakesNoPictureIfToldNotTo) {
 TEST_F(FitProgram, LeavesWithTwoAndAMessageOnBadInput) {
   write_test();
   io::write_whole(folder_ / "no_unit.csv", "strain,stress\n0.1,1\n0.2,2\n");
+  io::write_whole(folder_ / "semicolons.csv", "strain;stress_kPa\n0.1;1\n0.2;2\n");
   io::write_whole(folder_ / "no_number.csv", "strain,stress_Pa\n0.1,1\n0.2,much\n");
-  for (const auto& [arguments, message] : {std::pair{"absent.csv", "absent.csv"},
-                                           {"no_unit.csv", "no_unit.csv:1: header = \"strain,stress\""},
-                                           {"no_number.csv", "no_number.csv:3: stress_Pa"},
-                                           {"test.csv --range 1 0.5", "--range 1 0.5: the first strain must be smaller"},
-                                           {"test.csv --range 2 3", "test.csv: strain range 2 to 3: holds 0 rows"},
-                                           {"test.csv --crosshead-correction 0.5", "--crosshead-correction 0.5: must be in"},
-                                           {"test.csv --unknown", "--unknown"},
-                                           {"", "test"}}) {
+  for (const auto& [arguments, message] :
+       {std::pair{"absent.csv", "absent.csv"},
+        {"no_unit.csv", "no_unit.csv:1: header = \"strain,stress\""},
+        {"no_number.csv", "no_number.csv:3: stress_Pa"},
+        {"test.csv --range 1 0.5", "--range 1 0.5: the first strain must be smaller"},
+        {"test.csv --range 0,3", "--range LOW HIGH: needs two strains with a space between them"},
+        {"--range 0,3 test.csv", "--range LOW HIGH: needs two strains with a space between them"},
+        {"semicolons.csv", "semicolons.csv:1: header = \"strain;stress_kPa\": columns must be separated by"},
+        {"test.csv --density 1.07", "--density 1.07: must be in kg/m3"},
+        {"test.csv --range 2 3", "test.csv: strain range 2 to 3: holds 0 rows"},
+        {"test.csv --crosshead-correction 0.5", "--crosshead-correction 0.5: must be in"},
+        {"test.csv --unknown", "--unknown"},
+        {"", "test"}}) {
     EXPECT_EQ(run(std::string(arguments) + " -o fits"), 2) << arguments;
     EXPECT_NE(text("err").find(message), std::string::npos) << text("err");
     EXPECT_EQ(text("err").rfind("menger-fit: error: ", 0), 0U) << text("err");
     EXPECT_FALSE(fs::exists(folder_ / "fits")) << arguments;
   }
-  EXPECT_EQ(run("test.csv -o test.csv/below"), 2);
+}
+
+TEST_F(FitProgram, RefusesAFileInPlaceOfTheFolderBeforeAnyWork) {
+  write_test(-3000.0);
+  for (const std::string folder : {"test.csv", "test.csv/", "test.csv/below"}) {
+    EXPECT_EQ(run("test.csv -o " + folder), 2) << folder;
+    EXPECT_NE(text("err").find(": is a file, not a folder: choose another -o"), std::string::npos) << text("err");
+    EXPECT_EQ(text("out"), "") << "the test is not read";
+  }
+}
+
+TEST_F(FitProgram, SaysWhichRowsItFits) {
+  write_test();
+  ASSERT_NE(run("test.csv -o fits --raw --no-pictures"), 2) << text("err");
+  EXPECT_NE(text("out").find("fitted to strains of 0.02 to 1 (50 of 75 rows; the test goes to 1.5: --range 0 1.5 takes all)\n"),
+            std::string::npos)
+      << text("out");
+  ASSERT_NE(run("test.csv -o fits --raw --no-pictures --range 0 1.5"), 2) << text("err");
+  EXPECT_NE(text("out").find("fitted to strains of 0.02 to 1.5 (75 of 75 rows)\n"), std::string::npos) << text("out");
+  EXPECT_EQ(text("out").find("warning"), std::string::npos) << text("out");
+  ASSERT_NE(run("test.csv -o fits --raw --no-pictures --range 0.5 2"), 2) << text("err");
+  EXPECT_NE(text("out").find("; the test begins at 0.02: --range 0.02 2 takes all)\n"), std::string::npos) << text("out");
+}
+
+TEST_F(FitProgram, WarnsOfARangeThatEndsBeyondTheTest) {
+  write_test();
+  ASSERT_NE(run("test.csv -o fits --raw --no-pictures --range 0 5"), 2) << text("err");
+  EXPECT_NE(text("out").find("warning: the range ends at a strain of 5, the test at 1.5\n"), std::string::npos) << text("out");
+  const io::TomlTable fits = io::read_toml(folder_ / "fits/fits.toml");
+  EXPECT_EQ(fits.number("highest_strain"), 1.5);
+  EXPECT_EQ(fits.numbers("range"), (std::vector{0.0, 5.0}));
+}
+
+TEST_F(FitProgram, SaysWhichLawsAreUsableAndWhyOthersAreNot) {
+  write_test();
+  ASSERT_EQ(run("test.csv -o fits --raw --no-pictures"), 0) << text("err");
+  const std::string out = text("out");
+  EXPECT_NE(out.find("  usable\n"), std::string::npos) << out;
+  for (const io::TomlTable& fit : io::read_toml(folder_ / "fits/fits.toml").tables("fits")) {
+    const std::size_t begin = out.find("\n" + fit.text("name") + " ") + 1;
+    const std::string row = out.substr(begin, out.find('\n', begin) - begin);
+    const bool usable = fit.boolean("usable");
+    EXPECT_EQ(row.ends_with(" yes"), usable) << row;
+    if (!usable) {
+      EXPECT_NE(row.find("no: " + fit.texts("not_usable_because").front()), std::string::npos) << row;
+    }
+  }
+}
+
+TEST_F(FitProgram, WritesARecordThatAStudyCanName) {
+  write_test();
+  ASSERT_EQ(run("test.csv -o fits --raw --no-pictures --density 1070"), 0) << text("err");
+  EXPECT_NE(text("out").find("a record of the silicone for studies: fits/silicone.toml"), std::string::npos) << text("out");
+  const io::TomlTable fits = io::read_toml(folder_ / "fits/fits.toml");
+  const materials::StudyLaw law = materials::recommended_law(folder_ / "fits/silicone.toml");
+  EXPECT_EQ(materials::law_text(law.law), materials::law_text(materials::read_law(fits.tables("fits").front().table("law"))));
+  EXPECT_EQ(law.largest_stretch, 1.0 + fits.number("highest_strain"));
+  EXPECT_EQ(law.record->data_sheet.density_kg_per_m3, 1070.0);
+  ASSERT_EQ(run("test.csv -o fits --raw --no-pictures"), 0) << text("err");
+  EXPECT_FALSE(fs::exists(folder_ / "fits/silicone.toml")) << "it would be taken for that of these fits";
+}
+
+TEST_F(FitProgram, LeavesARecordByHandAlone) {
+  write_test();
+  fs::create_directory(folder_ / "fits");
+  io::write_whole(folder_ / "fits/silicone.toml", "name = \"by hand\"\n");
+  EXPECT_EQ(run("test.csv -o fits --raw --no-pictures --density 1070"), 2);
+  EXPECT_NE(text("err").find("silicone.toml: was not written by menger fit and is not replaced"), std::string::npos)
+      << text("err");
+  EXPECT_EQ(run("test.csv -o fits --raw --no-pictures"), 0) << text("err");
+  EXPECT_EQ(text("fits/silicone.toml"), "name = \"by hand\"\n");
 }
 
 TEST_F(FitProgram, LeavesSoonAfterAnInterrupt) {

@@ -16,12 +16,15 @@
 
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
+#include "io/text/whole_file.h"
 #include "materials/fit/fit_file.h"
 #include "materials/fit/law_family.h"
 #include "materials/fit/separable_fit.h"
 #include "materials/fit/student_quantile.h"
 #include "materials/laws/law_file.h"
 #include "materials/laws/law_parameters.h"
+#include "materials/laws/silicone_record.h"
+#include "tests/support/test_folder.h"
 #include "tests/unit/materials/laws/law_samples.h"
 
 namespace menger::materials {
@@ -139,6 +142,45 @@ TEST(Fit, RecommendsNothingThatMissesTheCurve) {
   const std::vector<LawFit> ranking = fit_laws(curve_of(Ogden<1>{{OgdenTerm{10e3, 8.0}}}), {0.0, 1.2});
   EXPECT_EQ(recommended_fit(ranking), nullptr);
   EXPECT_GT(fit_named(ranking, "neo_hookean").relative_rmse, 0.05);
+}
+
+TEST(Fit, SaysWhyALawIsNotUsable) {
+  const std::vector<LawFit> ranking = fit_laws(curve_of(MooneyRivlin{20e3, 2e3}, 20.0), {0.0, 1.2});
+  bool any_not_usable = false;
+  for (const LawFit& fit : ranking) {
+    const std::vector<std::string> reasons = shortcomings_of(fit);
+    const bool is_usable = reasons.empty();
+    EXPECT_FALSE(is_usable && any_not_usable) << fit.name << ": usable laws come first";
+    any_not_usable = any_not_usable || !is_usable;
+    const auto says = [&](const std::string& reason) { return std::ranges::find(reasons, reason) != reasons.end(); };
+    EXPECT_EQ(says("unstable"), !fit.stable) << fit.name;
+    EXPECT_EQ(says("it has terms of opposite signs"), fit.cancelled != 0.0) << fit.name;
+    EXPECT_EQ(says("its equibiaxial stress is not that of a silicone"), !fit.plausible) << fit.name;
+  }
+  EXPECT_TRUE(any_not_usable);
+  LawFit fit = fit_named(ranking, "mooney_rivlin");
+  EXPECT_EQ(shortcomings_of(fit), std::vector<std::string>{});
+  fit.confidence_95[1] = std::pair{-1.0, 1.0};
+  EXPECT_EQ(shortcomings_of(fit), std::vector<std::string>{"the interval of c01_Pa contains 0"});
+  fit.confidence_95[1].reset();
+  fit.relative_rmse = 0.06;
+  EXPECT_EQ(shortcomings_of(fit),
+            (std::vector<std::string>{"its RMSE is more than 5 % of the largest stress", "c01_Pa is at a bound of its search"}));
+  fit.confidence_95.clear();
+  fit.stable_with_margin = false;
+  EXPECT_EQ(shortcomings_of(fit), (std::vector<std::string>{"unstable soon beyond the fitted strains",
+                                                            "its RMSE is more than 5 % of the largest stress",
+                                                            "the test does not determine its parameters"}));
+}
+
+TEST(Fit, KnowsTheRowsOfARange) {
+  const TensileTest test = curve_of(NeoHookean{50e3});
+  const FittedRows some = fitted_rows(test, {0.1, 0.5});
+  EXPECT_EQ(some.count, 10U);
+  EXPECT_EQ(some.lowest_strain, test.strain[2]);
+  EXPECT_EQ(some.highest_strain, test.strain[11]);
+  EXPECT_EQ(fitted_rows(test, {-1.0, 5.0}).highest_strain, test.strain.back());
+  EXPECT_EQ(fitted_rows(test, {2.0, 5.0}).count, 0U);
 }
 
 TEST(StudentQuantile, IsThatOfTheTables) {
@@ -277,8 +319,9 @@ TEST(FitFile, HoldsTheLawsInTheirRanking) {
                    .repairs = {"one"},
                    .range = {0.0, 1.2},
                    .ranking = {}};
-  report.ranking = fit_laws(curve_of(Ogden<1>{{OgdenTerm{25e3, 3.25}}}, 100.0), report.range);
-  const io::TomlTable table = io::parse_toml(fit_text(report), "fits.toml");
+  const TensileTest test = curve_of(Ogden<1>{{OgdenTerm{25e3, 3.25}}}, 100.0);
+  report.ranking = fit_laws(test, report.range);
+  const io::TomlTable table = io::parse_toml(fit_text(report, test), "fits.toml");
   EXPECT_EQ(table.text("material"), "a \"b\"");
   EXPECT_EQ(table.texts("repairs"), std::vector<std::string>{"one"});
   EXPECT_EQ(table.text("recommended"), report.ranking.front().name);
@@ -286,9 +329,47 @@ TEST(FitFile, HoldsTheLawsInTheirRanking) {
   ASSERT_EQ(fits.size(), report.ranking.size());
   for (std::size_t i = 0; i < fits.size(); ++i) {
     EXPECT_EQ(fits[i].text("name"), report.ranking[i].name);
+    const std::vector<std::string> reasons = shortcomings_of(report.ranking[i]);
+    EXPECT_EQ(fits[i].boolean("usable"), reasons.empty());
+    EXPECT_EQ(fits[i].has("not_usable_because") ? fits[i].texts("not_usable_because") : std::vector<std::string>{}, reasons);
     ASSERT_TRUE(fits[i].has("law")) << report.ranking[i].name;
     EXPECT_EQ(law_text(read_law(fits[i].table("law"))), law_text(report.ranking[i].law));
   }
+}
+
+TEST(FitFile, StatesTheStrainsOfTheRowsAndNotTheRangeThatWasAskedFor) {
+  const TensileTest test = curve_of(NeoHookean{50e3}, 100.0);
+  const auto table_of = [&](const StrainRange& range) {
+    FitReport report{.file = "test.csv", .material = "", .strain_source = "", .repairs = {}, .range = range, .ranking = {}};
+    report.ranking = fit_laws(test, range);
+    return io::parse_toml(fit_text(report, test), "fits.toml");
+  };
+  const io::TomlTable wide = table_of({0.0, 5.0});
+  EXPECT_EQ(wide.number("lowest_strain"), test.strain.front());
+  EXPECT_EQ(wide.number("highest_strain"), test.strain.back());
+  EXPECT_EQ(wide.numbers("range"), (std::vector{0.0, 5.0}));
+  EXPECT_EQ(table_of({0.0, 0.5}).number("highest_strain"), test.strain[11]);
+}
+
+TEST(FitFile, WritesARecordOfTheSilicone) {
+  const TensileTest test = curve_of(NeoHookean{50e3}, 100.0);
+  FitReport report{
+      .file = "a/test.csv", .material = "Mix 3", .strain_source = "", .repairs = {"one"}, .range = {0.0, 5.0}, .ranking = {}};
+  report.ranking = fit_laws(test, report.range);
+  const LawFit* best = recommended_fit(report.ranking);
+  ASSERT_NE(best, nullptr);
+  const std::string text = silicone_text(report, test, *best, 1100.0);
+  EXPECT_TRUE(text.starts_with(silicone_text_start)) << text;
+  const tests::TestFolder folder;
+  io::write_whole(folder / "silicone.toml", text);
+  const SiliconeRecord record = read_silicone(folder / "silicone.toml");
+  EXPECT_EQ(record.name, "Mix 3");
+  EXPECT_EQ(record.data_sheet.density_kg_per_m3, 1100.0);
+  EXPECT_EQ(law_text(record.recommended.law), law_text(best->law));
+  EXPECT_EQ(record.recommended.smallest_stretch, 1.0);
+  EXPECT_EQ(record.recommended.largest_stretch, 1.0 + test.strain.back());
+  EXPECT_EQ(record.recommended.source, "tensile test test.csv, strains of 0.04 to 1.2, fitted by menger fit; one");
+  EXPECT_EQ(record.not_measured, (std::vector<std::string>{"bulk modulus", "damping", "friction", "compression"}));
 }
 
 TEST(FitFile, DoesNotOfferALawWithoutStiffness) {
@@ -296,7 +377,7 @@ TEST(FitFile, DoesNotOfferALawWithoutStiffness) {
   TensileTest test = curve_of(NeoHookean{50e3});
   for (double& stress_Pa : test.stress_Pa) stress_Pa = -stress_Pa;
   report.ranking = fit_laws(test, report.range);
-  const std::vector<io::TomlTable> fits = io::parse_toml(fit_text(report), "fits.toml").tables("fits");
+  const std::vector<io::TomlTable> fits = io::parse_toml(fit_text(report, test), "fits.toml").tables("fits");
   ASSERT_EQ(fits.size(), report.ranking.size());
   bool any_without = false;
   for (std::size_t i = 0; i < fits.size(); ++i) {

@@ -92,6 +92,14 @@ TEST(TensileTest, RefusesAHeaderWithoutUnitsOrWithOthers) {
             std::string::npos);
 }
 
+TEST(TensileTest, AsksForCommasWhereTheHeaderHasOtherSeparators) {
+  const std::string reason = "\": columns must be separated by commas, and numbers have a decimal point";
+  EXPECT_EQ(refusal("strain;stress_kPa\n0.1;2\n0.5;8\n"), ":1: header = \"strain;stress_kPa" + reason);
+  EXPECT_EQ(refusal("strain;stress_kPa\n0,1;2\n0,5;8\n"), ":1: header = \"strain;stress_kPa" + reason);
+  EXPECT_EQ(refusal("\nstrain\tstress_kPa\n0.1\t2\n"), ":2: header = \"strain\tstress_kPa" + reason);
+  EXPECT_NE(refusal("strain\n0.1\n").find("one column must be stress_Pa"), std::string::npos);
+}
+
 TEST(TensileTest, RefusesBadRowsWithLineAndValue) {
   EXPECT_EQ(refusal(database_head + "0.2;0.04;0.002;0.05;0,0015\n"),
             ":7: Engineering Stress (MPa) = \"0,0015\": must be a finite number with a decimal point");

@@ -4,6 +4,7 @@
 
 #include "io/text/input_error.h"
 #include "materials/laws/silicone_record.h"
+#include "tests/support/input_error_message.h"
 
 namespace menger::materials {
 namespace {
@@ -39,6 +40,16 @@ TEST(SiliconeLibrary, NamesTheRecordsThatThereAre) {
     EXPECT_NE(message.find("study.toml"), std::string::npos) << message;
     EXPECT_NE(message.find("silicone"), std::string::npos) << message;
     EXPECT_NE(message.find("dragon_skin_10"), std::string::npos) << message;
+  }
+}
+
+TEST(SiliconeLibrary, TellsATensileTestFromARecord) {
+  for (const std::string name : {"tensile.csv", "tests/tensile.csv"}) {
+    const io::TomlTable table = io::parse_toml("silicone = \"" + name + "\"\n", "study.toml");
+    const std::string message = tests::message_of([&] { (void)silicone_file(table, "silicone"); });
+    EXPECT_EQ(message, "study.toml:1: silicone = \"" + name +
+                           "\": is a table, such as a tensile test, not a record of a silicone: see \"Your own silicone\" in "
+                           "materials/README.md");
   }
 }
 

@@ -15,6 +15,7 @@
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "materials/laws/homogeneous_deformations.h"
+#include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
 
 namespace menger::materials {
@@ -64,7 +65,10 @@ TEST(SiliconeRecord, ReadyOnesStateWhatTheBulletinsDo) {
     EXPECT_EQ(record.name, stated.name);
     EXPECT_EQ(record.data_sheet.shore_hardness, stated.shore);
     EXPECT_EQ(record.data_sheet.density_kg_per_m3, stated.density_kg_per_m3);
-    EXPECT_NEAR(record.data_sheet.modulus_100_percent_Pa, stated.modulus_100_percent_psi * 6894.757, 1.0);
+    EXPECT_NEAR(record.data_sheet.modulus_100_percent_Pa.value(), stated.modulus_100_percent_psi * 6894.757, 1.0);
+    EXPECT_TRUE(record.data_sheet.tensile_strength_Pa) << file;
+    EXPECT_TRUE(record.data_sheet.elongation_at_break) << file;
+    EXPECT_FALSE(record.not_measured.empty()) << file;
   }
   int files = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(MENGER_SOURCE_DIR) / "materials/data")) {
@@ -80,7 +84,7 @@ TEST(SiliconeRecord, RecommendedLawReproducesTheModulusOfTheDataSheet) {
     EXPECT_EQ(name_of(record.recommended.law), "neo_hookean");
     EXPECT_EQ(record.recommended.largest_stretch, 2.0);
     const NominalStress stress = nominal_stress(record.recommended.law, LoadingMode::uniaxial, 2.0);
-    EXPECT_NEAR(stress.stress_Pa, record.data_sheet.modulus_100_percent_Pa, 1.5) << file;
+    EXPECT_NEAR(stress.stress_Pa, record.data_sheet.modulus_100_percent_Pa.value(), 1.5) << file;
   }
 }
 
@@ -158,6 +162,44 @@ TEST(SiliconeRecord, RefusesWrongValuesWithFileAndKey) {
       "source = \"Smooth-On, technical bulletin of the Dragon Skin series, as quoted in a public repository\"", "source = \"\"");
   EXPECT_NE(source.find("data_sheet.source = \"\": must not be empty"), std::string::npos) << source;
   EXPECT_NE(refusal("[data_sheet]\n", "[data_sheet]\ncolour = \"white\"\n").find("colour: unknown key"), std::string::npos);
+}
+
+const std::string own_mix =
+    "name = \"Mix 3\"\n[data_sheet]\nsource = \"weighed\"\ndensity_kg_per_m3 = 1100\n[recommended]\nsource = \"a test\"\n"
+    "smallest_stretch = 1\nlargest_stretch = 2\n[recommended.law]\nname = \"neo_hookean\"\nshear_modulus_Pa = 2e5\n";
+
+TEST(SiliconeRecord, OfOnesOwnMixNeedsOnlyWhatIsComputedWith) {
+  const tests::TestFolder folder;
+  io::write_whole(folder / "record.toml", own_mix);
+  const SiliconeRecord record = read_silicone(folder / "record.toml");
+  EXPECT_EQ(record.data_sheet.density_kg_per_m3, 1100.0);
+  EXPECT_EQ(record.data_sheet.shore_hardness, "");
+  EXPECT_FALSE(record.data_sheet.modulus_100_percent_Pa);
+  EXPECT_FALSE(record.data_sheet.tensile_strength_Pa);
+  EXPECT_FALSE(record.data_sheet.elongation_at_break);
+  EXPECT_TRUE(record.not_measured.empty());
+  const std::string hardness = refusal("shore_hardness = \"10A\"", "shore_hardness = \"\"");
+  EXPECT_NE(hardness.find("data_sheet.shore_hardness = \"\": must not be empty"), std::string::npos) << hardness;
+}
+
+TEST(SiliconeRecord, NamesAllKeysThatAreMissing) {
+  const tests::TestFolder folder;
+  const std::string file = (folder / "record.toml").string();
+  const auto refused = [&](const std::string& text) {
+    io::write_whole(file, text);
+    return tests::message_of([&] { (void)read_silicone(file); });
+  };
+  const std::string end = ", which are missing: see \"Your own silicone\" in materials/README.md";
+  EXPECT_EQ(refused("name = \"Mix 3\"\n[recommended]\nsource = \"a test\"\n"),
+            file +
+                ": a record of a silicone must have data_sheet.source, data_sheet.density_kg_per_m3, "
+                "recommended.smallest_stretch, recommended.largest_stretch, recommended.law" +
+                end);
+  const std::string wrong_kind = refused("name = \"Mix 3\"\ndata_sheet = 5\n");
+  EXPECT_NE(wrong_kind.find("must have recommended.source, "), std::string::npos) << wrong_kind;
+  std::string without_name = own_mix;
+  without_name.erase(0, without_name.find('\n') + 1);
+  EXPECT_NE(refused(without_name).find("record.toml:1: name is missing"), std::string::npos) << "one alone, with its line";
 }
 
 TEST(SiliconeRecord, RefusesAWrongRangeOfFriction) {

@@ -5,9 +5,11 @@
 #include <string>
 
 #include "io/study/study_reader.h"
+#include "io/text/whole_file.h"
 #include "materials/laws/law_file.h"
 #include "tests/support/described_study.h"
 #include "tests/support/input_error_message.h"
+#include "tests/support/test_folder.h"
 
 namespace menger::materials {
 namespace {
@@ -54,6 +56,15 @@ TEST(StudyLaw, MayBeAnotherOneOfTheRecord) {
   const StudyLaw law = parse("silicone = \"dragon_skin_10\"\nlaw_name = \"" + std::string(name_of(other.law)) + "\"");
   EXPECT_EQ(law_text(law.law), law_text(other.law));
   EXPECT_GE(law.count, 1U);
+}
+
+TEST(StudyLaw, TellsAResultOfAFitFromARecord) {
+  const tests::TestFolder folder;
+  const std::string file = (folder / "fits.toml").string();
+  io::write_whole(file, "material = \"tensile\"\nrecommended = \"yeoh\"\n\n[[fits]]\nname = \"yeoh\"\n");
+  EXPECT_EQ(message("silicone = \"" + file + "\""),
+            "material.toml:1: silicone = \"" + file + "\": " + file +
+                ": is a result of menger fit, not a record of a silicone: see \"Your own silicone\" in materials/README.md");
 }
 
 TEST(StudyLaw, NamesBadInput) {
