@@ -1,8 +1,11 @@
 #include "voxel/engine/engine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "io/text/formatted.h"
 #include "voxel/model/actuation.h"
@@ -75,7 +78,13 @@ void EngineOf<Real>::report_body() {
   const Physics& physics = body.physics;
   report_.push_back("kernels: " + std::string(to_string(set_)) + ", " + std::string(to_string(physics.integration.number)) +
                     ", damping from " + std::string(to_string(physics.integration.damping)));
-  if (uniform_) report_.push_back("coefficients per voxel and beam left out: all voxels are of one material and free");
+  if (uniform_) {
+    const std::vector<meshes::Material>& materials = body.lattice.material;
+    const bool is_one = std::ranges::count(materials, materials.front()) == std::ranges::ssize(materials);
+    report_.push_back(std::string("coefficients per voxel and beam left out: ") +
+                      (is_one ? "all voxels are of one material and free"
+                              : "all voxels are free, and both materials have the same properties: they differ in phase alone"));
+  }
   if (body.hollow) {
     report_.push_back("calibrated body: classes: " + std::to_string(body.classes.voxel.size()) + " of voxels, " +
                       std::to_string(body.classes.beam.size()) + " of beams; " +

@@ -8,6 +8,7 @@
 
 #include "voxel/engine/rest_lengths.h"
 #include "voxel/model/elbows.h"
+#include "voxel/model/law_extremes.h"
 #include "voxel/model/wall_squares.h"
 
 namespace menger::voxel {
@@ -198,10 +199,17 @@ void PressureDrive<Real>::note_strains(const StepData<Real>& d) {
 }
 
 double largest_collision_size_m(const HollowVoxels& voxels, const CalibratedBody& calibrated) {
-  double largest = calibrated.parameters.voxel_edge_m();
-  for (const double pressure : calibrated.pressure_Pa) {
-    for (const auto& size_class : voxels.size_class)
-      largest = std::max(largest, 2.0 * half_length_m(calibrated.parameters, size_class[2], pressure));
+  const SurrogateParameters& parameters = calibrated.parameters;
+  ByLawClass<bool> in_use{};
+  for (const auto& size_class : voxels.size_class) in_use.at(size_class[2]) = true;
+  double largest = parameters.voxel_edge_m();
+  for (std::size_t c = 0; c < law_class_count; ++c) {
+    if (!in_use[c]) continue;
+    // The drive may be ramped from zero pressure. A plate may be largest before it is drawn in.
+    const auto [lowest_Pa, highest_Pa] = calibrated.pressure_Pa;
+    for (const double pressure :
+         extreme_pressures(parameters.extension_of(c), std::min(lowest_Pa, 0.0), std::max(highest_Pa, 0.0)))
+      largest = std::max(largest, 2.0 * half_length_m(parameters, c, pressure));
   }
   return largest;
 }

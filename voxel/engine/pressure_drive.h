@@ -96,7 +96,8 @@ class PressureDrive {
   StrainRange strains_;
 };
 
-/// Returns the largest size (m) with which any voxel of a calibrated body meets other voxels in its drive.
+/// Returns the largest size (m) with which any voxel of a calibrated body meets other voxels at any pressure of its drive, from
+/// the start of a ramp on.
 double largest_collision_size_m(const HollowVoxels& voxels, const CalibratedBody& calibrated);
 
 }  // namespace menger::voxel

@@ -5,10 +5,28 @@
 #include <cmath>
 #include <numbers>
 
+#include "voxel/model/bond_damping.h"
 #include "voxel/model/calibrated_body.h"
 #include "voxel/model/wall_feet.h"
 
 namespace menger::voxel {
+
+namespace {
+
+/// Whether voxels of two materials weigh the same and resist alike. Friction may differ.
+bool bears_alike(const VoxelMaterial& a, const VoxelMaterial& b) {
+  return a.youngs_modulus_Pa == b.youngs_modulus_Pa && a.density_kg_m3 == b.density_kg_m3;
+}
+
+/// Returns by what the explicit damping of a beam between two materials shortens its step, so that a step takes no more of the
+/// fastest motion than beams of one density do at a ratio of 1.
+double slower_by_damping(const Physics& physics, const VoxelMaterial& a, const VoxelMaterial& b) {
+  if (physics.integration.bond_damping != BondDamping::explicit_step) return 1.0;
+  const double factor = bond_rate_factor(physics, a.density_kg_m3, b.density_kg_m3);
+  return std::max(1.0, physics.damping_ratios.bond * factor);
+}
+
+}  // namespace
 
 double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m) {
   return material.density_kg_m3 * cell_edge_m * cell_edge_m * cell_edge_m;
@@ -16,6 +34,24 @@ double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m) {
 
 double beam_modulus_Pa(const VoxelMaterial& a, const VoxelMaterial& b) {
   return 2.0 * a.youngs_modulus_Pa * b.youngs_modulus_Pa / (a.youngs_modulus_Pa + b.youngs_modulus_Pa);
+}
+
+double largest_contact_step_s(double stiffness_per_mass, double damping_per_mass) {
+  // Steps with the damping of the last velocity are stable for k dt^2 + 2 c dt < 4.
+  const double k = stiffness_per_mass;
+  const double c = damping_per_mass;
+  return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
+}
+
+double largest_mixed_collision_step_s(double cell_edge_m, const Physics& physics) {
+  const VoxelMaterial& a = physics.materials[0];
+  const VoxelMaterial& b = physics.materials[1];
+  const auto damping = [&](const VoxelMaterial& material) {
+    return physics.damping_ratios.collision *
+           std::sqrt(voxel_mass_kg(material, cell_edge_m) * material.youngs_modulus_Pa * cell_edge_m);
+  };
+  const double per_mass = 1.0 / voxel_mass_kg(a, cell_edge_m) + 1.0 / voxel_mass_kg(b, cell_edge_m);
+  return largest_contact_step_s(2.0 * beam_modulus_Pa(a, b) * cell_edge_m * per_mass, (damping(a) + damping(b)) * per_mass);
 }
 
 double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const Physics& physics) {
@@ -28,18 +64,28 @@ double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const
       const VoxelMaterial& a = material_of(beams.lower[i]);
       const VoxelMaterial& b = material_of(beams.upper[i]);
       const double lighter = std::min(voxel_mass_kg(a, cell_edge_m), voxel_mass_kg(b, cell_edge_m));
-      largest = std::max(largest, beam_modulus_Pa(a, b) * cell_edge_m / lighter);
+      const double slower = slower_by_damping(physics, a, b);
+      largest = std::max(largest, beam_modulus_Pa(a, b) * cell_edge_m / lighter * (slower * slower));
     }
   }
+  const bool has_contacts = physics.floor || physics.collisions.exclusion_depth.has_value();
+  std::array<bool, 2> used{};
   for (std::size_t i = 0; i < lattice.voxel_count(); ++i) {
+    used.at(static_cast<std::size_t>(lattice.material[i] - 1)) = true;
+    const VoxelMaterial& material = material_of(static_cast<std::int32_t>(i));
+    const double mass = voxel_mass_kg(material, cell_edge_m);
     const bool alone =
         std::all_of(lattice.neighbours[i].begin(), lattice.neighbours[i].end(), [](std::int32_t other) { return other < 0; });
-    if (!alone) continue;
-    const VoxelMaterial& material = material_of(static_cast<std::int32_t>(i));
-    largest = std::max(largest, material.youngs_modulus_Pa * cell_edge_m / voxel_mass_kg(material, cell_edge_m));
+    if (!alone && !has_contacts) continue;
+    // The mean of two equal moduli may differ from them in its last digit. So bodies of one modulus keep the step of their beams.
+    const double modulus_Pa = alone ? material.youngs_modulus_Pa : beam_modulus_Pa(material, material);
+    largest = std::max(largest, modulus_Pa * cell_edge_m / mass);
   }
   largest *= 1.0 + 2.0 * effective_coupling(physics);
-  return 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
+  const double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
+  const bool may_mix = used[0] && used[1] && physics.collisions.exclusion_depth.has_value();
+  if (!may_mix || bears_alike(physics.materials[0], physics.materials[1])) return recommended_s;
+  return std::min(recommended_s, 0.5 * largest_mixed_collision_step_s(cell_edge_m, physics));
 }
 
 double largest_standing_step_s(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m) {
@@ -52,10 +98,7 @@ double largest_standing_step_s(const FloorCoefficients<double>& floor, double ma
   const double turn = (feet + feet_beside) * below * below / inertia_kg_m2;
   const double coupled = feet * below / std::sqrt(mass_kg * inertia_kg_m2);
   const double stiffest = 0.5 * (shift + turn) + std::hypot(0.5 * (shift - turn), coupled);
-  // Steps with the damping of the last velocity are stable for k dt^2 + 2 c dt < 4.
-  const double k = floor.stiffness / feet_of_a_wall * stiffest;
-  const double c = floor.damping / feet_of_a_wall * stiffest;
-  return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
+  return largest_contact_step_s(floor.stiffness / feet_of_a_wall * stiffest, floor.damping / feet_of_a_wall * stiffest);
 }
 
 double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classes, double edge_m, const Physics& physics) {

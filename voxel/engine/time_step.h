@@ -13,9 +13,16 @@ double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m);
 /// Returns the modulus of a beam between two materials, the harmonic mean 2 E1 E2 / (E1 + E2), Pa.
 double beam_modulus_Pa(const VoxelMaterial& a, const VoxelMaterial& b);
 
-/// Returns the recommended step of a lattice of solid voxels, s: 1 / (2 pi sqrt(k/m)). k/m is the largest value of E L over the
-/// mass of the lighter end of every beam, and of E L / m of every voxel without beams. With lateral coupling c the step is
-/// shorter by sqrt(1 + 2 c). @cite hiller2014dynamic
+/// Returns the recommended step of a lattice of solid voxels, s: 1 / (2 pi sqrt(k/m)). k/m is the largest value of
+/// - E L over the mass of the lighter end of every beam,
+/// - E L / m of every voxel without beams, and with a floor or collisions of every voxel, because a voxel touches with its own
+///   modulus: a stiff foot on a soft body is stiffer than its beam.
+///
+/// With lateral coupling c the step is shorter by sqrt(1 + 2 c). Strong damping and two densities may need shorter steps:
+/// - Where the damping of a beam is explicit, its E L counts max(1, zeta f)^2 times, with f of bond_rate_factor.
+/// - With collisions, a body of two materials takes at most half of the largest_mixed_collision_step_s.
+///
+/// Where both materials have one modulus and density, only the beams count, or the voxel without beams. @cite hiller2014dynamic
 double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const Physics& physics);
 
 /// Returns the recommended step for the classes of a calibrated body, s. k/m is then the largest of
@@ -31,6 +38,16 @@ double recommended_time_step_s(const Lattice& lattice, const BodyClasses& classe
 /// Returns the recommended step of a body, solid or calibrated, s.
 /// @param cell_edge_m of a design's cell
 double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m, const Physics& physics);
+
+/// Returns the largest stable step, s, of a mass on a spring with a damper that acts with the velocity before the step:
+/// k h^2 + 2 c h < 4.
+/// @param stiffness_per_mass k, 1/s^2
+/// @param damping_per_mass c, 1/s
+double largest_contact_step_s(double stiffness_per_mass, double damping_per_mass);
+
+/// Returns the largest stable step, s, of two free solid voxels of the two materials that press on each other. A light voxel is
+/// damped by the mean of both dampings (contact_force), which for a stiff and heavy partner is far more than its own.
+double largest_mixed_collision_step_s(double cell_edge_m, const Physics& physics);
 
 /// Returns the largest stable step, s, of a voxel that stands on all feet of a wall (FootContact) and rocks on them without
 /// sliding.

@@ -34,7 +34,9 @@ ByLawClass<bool> classes_of(const CalibratedBody& calibrated, const meshes::Poly
 std::string sizeless_class(const CalibratedBody& calibrated, std::size_t c) {
   const SurrogateParameters& parameters = calibrated.parameters;
   const auto text = [c](const char* what, double pressure) { return law_class_text(c) + what + io::number_text(pressure); };
-  // Both ends are enough: zero pressure, from which the drive may be ramped, has a value in every law.
+  // Both ends are enough: zero pressure, from which the drive may be ramped, has a value in every law. Between them a law of
+  // extension is monotone but where a plate stretches and is drawn in. There no length is lost but by the draw-in, which is
+  // less than 1.
   for (const double pressure : calibrated.pressure_Pa) {
     const PressureLaw extension = parameters.extension_of(c);
     if (!extension.has_value(pressure) || !parameters.bulge_of(c).has_value(pressure))

@@ -39,7 +39,8 @@ std::array<double, 2> law_range(const SurrogateParameters& parameters, std::size
   return range;
 }
 
-/// Checks that each law has a value, and leaves a length, over the range of validity of its class.
+/// Checks that each law has a value, and leaves a length, over the range of validity of its class. The ends are enough, because
+/// laws of wall classes have no arc and are monotone.
 /// @throws io::InputError otherwise
 void check_laws(const io::TomlTable& table, const SurrogateParameters& parameters, const ByWallClass<PressureLaw>& laws,
                 bool is_extension) {
@@ -60,7 +61,8 @@ void check_laws(const io::TomlTable& table, const SurrogateParameters& parameter
   }
 }
 
-/// Checks that plates keep a length over the range of validity of their classes.
+/// Checks that plates keep a length over the range of validity of their classes. The ends are enough: only where the slope is
+/// positive can the draw-in make a plate shortest in between, and there it leaves more than 1 - plate_draw_in of the length.
 /// @throws io::InputError otherwise
 void check_plates(const io::TomlTable& table, const SurrogateParameters& parameters) {
   for (std::size_t law_class = wall_class_count; law_class < law_class_count; ++law_class) {

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/surrogate_example.h"
+#include "voxel/engine/pressure_drive.h"
 #include "voxel/engine/scale_check.h"
 #include "voxel/engine/time_step.h"
 #include "voxel/lanes/simulation.h"
@@ -88,6 +90,31 @@ TEST(Frame, ShowsAPlateThatRisesAndDrawsItsEdgesIn) {
   EXPECT_NEAR(frame.reach_m[4][5], top(walls::none, 0.04), 1e-12);
   EXPECT_NEAR(frame.reach_m[1][5], top(walls::one, 0.04 * 0.5), 1e-12);
   EXPECT_NEAR(frame.reach_m[0][5], top(walls::corner, 0.04 * 0.25), 1e-12);
+}
+
+TEST(CollisionSize, OfAPlateMayBeLargestBeforeItIsDrawnIn) {
+  // An upright plate. Only its middle follows pressure, along z: it stretches by 0.3 and is drawn in by 0.45 at the highest.
+  CalibratedBody calibrated{.parameters = tests::surrogate_example(), .pressure_Pa = {0.0, 1e4}};
+  SurrogateParameters& p = calibrated.parameters;
+  p.extension = {};
+  p.extension[walls::limb].slope_per_Pa = 3e-5;
+  p.plate_draw_in = 0.9;
+  p.plate_draw_in_per_Pa = 1e-4;
+  const HollowVoxels voxels = calibrated_voxels(meshes::Polycube::from_digits(3, 1, 3, "111111111"), calibrated);
+  ASSERT_EQ(voxels.size_class[4][2], inside_plate);
+  double largest = 0.0;
+  const PressureLaw inside = p.extension_of(inside_plate);
+  for (int pressure_Pa = 0; pressure_Pa <= 10000; ++pressure_Pa)
+    largest = std::max(largest, p.voxel_edge_m() * (1.0 + inside.value(pressure_Pa)));
+  EXPECT_GT(largest, 1.02 * p.voxel_edge_m());
+  EXPECT_NEAR(largest_collision_size_m(voxels, calibrated), largest, 1e-8 * largest);
+  EXPECT_GE(largest_collision_size_m(voxels, calibrated), largest * (1.0 - 1e-15));
+  // A drive that is ramped to a pressure passes all pressures below it.
+  calibrated.pressure_Pa = {9e3, 1e4};
+  EXPECT_NEAR(largest_collision_size_m(voxels, calibrated), largest, 1e-8 * largest);
+  calibrated.pressure_Pa = {0.0, 1e3};
+  EXPECT_DOUBLE_EQ(largest_collision_size_m(voxels, calibrated), p.voxel_edge_m() * (1.0 + inside.value(1e3)))
+      << "of the end, where the plate still grows";
 }
 
 TEST(Frame, OfSolidVoxelsHasCubes) { EXPECT_TRUE(Simulation(meshes::bar(2), 0.01, Physics{}).frame().reach_m.empty()); }

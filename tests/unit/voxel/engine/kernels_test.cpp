@@ -155,6 +155,23 @@ TEST(Kernels, SayWhatTheyLeaveOut) {
   }
 }
 
+TEST(Kernels, SayWhyVoxelsShareTheirCoefficients) {
+  const auto report = [](const meshes::Polycube& body, const Physics& physics) {
+    std::string text;
+    for (const std::string& line : Simulation(body, 0.01, physics).kernel_report()) text += line + "\n";
+    return text;
+  };
+  Physics physics;
+  meshes::Polycube body = meshes::bar(3);
+  EXPECT_NE(report(body, physics).find("left out: all voxels are of one material and free"), std::string::npos);
+  body.set({0, 0, 0}, 2);
+  const std::string equal = report(body, physics);
+  EXPECT_NE(equal.find("both materials have the same properties: they differ in phase alone"), std::string::npos) << equal;
+  EXPECT_EQ(equal.find("of one material"), std::string::npos) << equal;
+  physics.materials[1].youngs_modulus_Pa *= 2.0;
+  EXPECT_EQ(report(body, physics).find("coefficients per voxel and beam left out"), std::string::npos);
+}
+
 TEST(Kernels, SkipCollisionWorkWhileContactIsRuledOut) {
   // Two bars 5 edges apart that hardly move: nothing to do, and the bytes are those of a run that looks at every pair in every
   // step.

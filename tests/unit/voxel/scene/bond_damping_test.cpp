@@ -16,7 +16,9 @@
 #include "meshes/design/fractal.h"
 #include "meshes/design/reference_shapes.h"
 #include "tests/support/surrogate_example.h"
+#include "voxel/engine/voxel_classes.h"
 #include "voxel/lanes/simulation.h"
+#include "voxel/laws/lattice.h"
 #include "voxel/scene/physics_file.h"
 
 namespace menger::voxel {
@@ -67,13 +69,13 @@ TEST(BondDamping, TreatsNeighboursAgainstEachOtherAsBackwardEulerWould) {
 }
 
 /// Whether a body that was shaken comes to rest.
-bool calms_down(const meshes::Polycube& body, BondDamping treatment, double fraction) {
+bool calms_down(const meshes::Polycube& body, const Physics& physics) {
   VoxelLoads loads;
   for (std::size_t i = 0; i < body.count(); ++i) {
     const double speed = 1e-4 * std::sin(7.0 * static_cast<double>(i * i));
     loads.initial_velocity_m_s.push_back({speed, -0.5 * speed, 0.3 * speed});
   }
-  Simulation simulation(body, edge, floating(treatment, fraction), loads);
+  Simulation simulation(body, edge, physics, loads);
   if (simulation.advance(4000) != io::RunStatus::completed) return false;
   double largest = 0.0;
   for (std::size_t i = 1; i < body.count(); ++i) {
@@ -81,6 +83,84 @@ bool calms_down(const meshes::Polycube& body, BondDamping treatment, double frac
       largest = std::max(largest, std::abs(simulation.velocity_m_s(i).at(axis) - simulation.velocity_m_s(0).at(axis)));
   }
   return largest < 1e-4;
+}
+
+bool calms_down(const meshes::Polycube& body, BondDamping treatment, double fraction) {
+  return calms_down(body, floating(treatment, fraction));
+}
+
+/// A cube of 3 x 3 x 3 whose cells of the two materials alternate, with a light one in the middle.
+meshes::Polycube checkerboard() { return meshes::Polycube::from_digits(3, 3, 3, "212121212121212121212121212"); }
+
+Physics with_heavier_neighbours(const Physics& given, double ratio) {
+  Physics physics = given;
+  physics.materials[1].density_kg_m3 = ratio * physics.materials[0].density_kg_m3;
+  return physics;
+}
+
+/// The largest rate, 1/s, at which bonds damp shifts of the voxels of a body along an axis, by power iteration.
+double largest_damping_rate_per_s(const meshes::Polycube& body, const Physics& physics) {
+  const Lattice lattice(body);
+  const BodyClasses classes = solid_classes(lattice, edge, physics, {});
+  std::vector<double> velocity(lattice.voxel_count());
+  for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = std::sin(7.0 * static_cast<double>(i * i + 1));
+  double rate = 0.0;
+  for (int iteration = 0; iteration < 2000; ++iteration) {
+    std::vector<double> slowing(velocity.size(), 0.0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const AxisBeams& beams = lattice.beams[axis];
+      for (std::size_t i = 0; i < beams.lower.size(); ++i) {
+        const auto lower = static_cast<std::size_t>(beams.lower[i]);
+        const auto upper = static_cast<std::size_t>(beams.upper[i]);
+        const BeamCoefficients<double>& beam = classes.beam[classes.beam_class[axis][i]];
+        const double pull = beam.axial_root * (velocity[upper] - velocity[lower]);
+        slowing[lower] -= beam.damping_lower * pull / classes.mass_kg[lower];
+        slowing[upper] += beam.damping_upper * pull / classes.mass_kg[upper];
+      }
+    }
+    rate = 0.0;
+    for (const double value : slowing) rate = std::max(rate, std::abs(value));
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = slowing[i] / rate;
+  }
+  return rate;
+}
+
+TEST(BondDamping, OfTwoDensitiesIsNoFasterThanItsBound) {
+  const double zeta_omega = std::sqrt(1e7);  // 1/s, of the light voxels
+  struct Case {
+    double ratio, rate;  // of densities; the largest one by zeta omega
+  };
+  for (const auto& [ratio, rate] : {Case{5.8, 10.6}, {9.0, 12.3}, {16.0, 15.2}, {49.0, 24.1}, {100.0, 33.1}, {400.0, 63.0}}) {
+    Physics physics = with_heavier_neighbours(floating(BondDamping::explicit_step, 0.9), ratio);
+    const double largest = largest_damping_rate_per_s(checkerboard(), physics) / zeta_omega;
+    EXPECT_NEAR(largest, rate, 0.1) << ratio;
+    const double factor = bond_rate_factor(physics, 10.0, 10.0 * ratio);
+    EXPECT_LE(largest, 12.0 * factor) << ratio;
+    EXPECT_GE(largest, 0.85 * 12.0 * factor) << ratio << ": the bound is not far off";
+    EXPECT_EQ(factor, bond_rate_factor(physics, 10.0 * ratio, 10.0));
+    // Each end with a coefficient of its own.
+    physics.integration.damping = DampingMode::increments;
+    EXPECT_LE(largest_damping_rate_per_s(checkerboard(), physics), 12.0 * zeta_omega) << ratio;
+    EXPECT_EQ(bond_rate_factor(physics, 10.0, 10.0 * ratio), 1.0);
+    physics.beam_moments = BeamMoments::balanced;
+    EXPECT_EQ(bond_rate_factor(physics, 10.0, 10.0 * ratio), factor);
+  }
+  EXPECT_EQ(bond_rate_factor(floating(BondDamping::explicit_step, 0.9), 1070.0 / 3.0, 1070.0 / 3.0), 1.0);
+}
+
+TEST(BondDamping, OfTwoDensitiesIsStableAtTheDefaultStep) {
+  for (const double ratio : {16.0, 100.0, 400.0}) {
+    for (const BondDamping treatment : {BondDamping::explicit_step, BondDamping::semi_implicit})
+      EXPECT_TRUE(calms_down(checkerboard(), with_heavier_neighbours(floating(treatment, 0.9), ratio))) << ratio;
+    EXPECT_TRUE(calms_down(checkerboard(), with_heavier_neighbours(floating(BondDamping::semi_implicit, 0.9, 100.0), ratio)))
+        << ratio;
+  }
+}
+
+TEST(BondDamping, OfTwoDensitiesLeavesTheRatioOfItsBound) {
+  const Physics physics = with_heavier_neighbours(floating(BondDamping::semi_implicit, 0.9), 100.0);
+  const double factor = 0.25 * 11.0 * 1.01;
+  EXPECT_DOUBLE_EQ(effective_bond_ratio(physics), 1.0 / (1.0 + 5.4 * factor / std::numbers::pi));
 }
 
 TEST(BondDamping, BoundsTheStepNoLongerThanTheStiffnessDoes) {
