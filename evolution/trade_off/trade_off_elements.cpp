@@ -27,7 +27,7 @@ std::string inflation_text(const TradeStudy& study, const ElementFidelity& fidel
     text.table("elements").add("kind", "thin_wall").add("fidelity", std::string(fem::to_string(*fidelity.thin_walls)));
   } else {
     text.lines(meshes::hollow_body_text(hollow_options(study, fidelity), "design"));
-    text.table("element").add("degree", fidelity.degree);
+    text.table("elements").add("degree", fidelity.degree);
   }
   text.table("material").add("silicone", "silicone.toml").add("bulk_modulus_Pa", fidelity.bulk_ratio * study.shear_modulus_Pa);
   text.table("supports").add("kind", "free");

@@ -43,7 +43,8 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
                "menger inflate");
   app.footer(
       "Example:\n  menger inflate fem/studies/cube.toml -o cube\n"
-      "writes cube/curves.csv, fields.pvd (open it in ParaView), chamber.png, pv_curve.png, result.toml and manifest.json.\n"
+      "writes cube/curves.csv, fields.pvd (open it in ParaView), chamber.png, pv_curve.png, displacement.png, result.toml and\n"
+      "manifest.json.\n"
       "Ctrl-C keeps finished steps. Run the same command again to resume. In parallel: mpirun -n 2 menger-inflate ...\n"
       "Exit codes: 0 completed, 2 wrong input, 3 the path ended early (result.toml contains the reason), 130 interrupted.");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {

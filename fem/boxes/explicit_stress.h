@@ -40,7 +40,7 @@ class NeoHookeanStress {
 
   /// Computes the stress.
   /// @param F replaced by P
-  /// @param computed unchanged: the law has a stress wherever J > 0
+  /// @param admissible unchanged: the law has a stress wherever J > 0
   /// @return 1 / J
   Pack operator()(const PointVolume<Pack>& point, const double* /*tensor*/, const Pack& pressure, std::array<Pack, 9>& F,
                   Pack& admissible) const {
@@ -92,7 +92,7 @@ class GeneralStress {
 
   /// Computes the stress.
   /// @param F replaced by P
-  /// @param computed not positive in lanes where the law gives no stress
+  /// @param admissible not positive in lanes where the law gives no stress
   /// @return 1 / J
   Pack operator()(const PointVolume<Pack>& point, const double* /*tensor*/, const Pack& pressure, std::array<Pack, 9>& F,
                   Pack& admissible) const {

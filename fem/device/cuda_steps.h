@@ -53,9 +53,6 @@ class CudaSteps final : public StepTaker {
   [[nodiscard]] StepsOutcome take(const StepsOrder& order, const SteppedBody& body) override;
 
  private:
-  void place_state(std::byte* host, std::byte* device);
-  void place_scratch(std::byte* device);
-
   BodyArrays<Number> arrays_;
   std::size_t host_begin_ = 0, host_size_ = 0, device_begin_ = 0, device_size_ = 0;  ///< pieces of both memories
   std::byte* host_ = nullptr;                                                        ///< the state here

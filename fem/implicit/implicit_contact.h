@@ -72,9 +72,9 @@ class ImplicitContact {
   /// Returns the largest stiffness of a stick spring, N/m, the same on all ranks.
   [[nodiscard]] double largest_stick_stiffness_N_per_m() const { return largest_stick_stiffness_; }
 
-  /// Adds the symmetric part of d(residual)/du to a matrix. The matrix must not have been assembled since values were added to
-  /// it. Two terms are left out: the change of friction with the normal force, which is not symmetric, and its change with the
-  /// direction of sliding where the coefficients depend on that direction.
+  /// Adds the symmetric part of d(residual)/du to a matrix with the nonzeros of the stiffness, which the caller assembles
+  /// (MatAssemblyEnd) afterwards. Two terms are left out: the change of friction with the normal force, which is not symmetric,
+  /// and its change with the direction of sliding where the coefficients depend on that direction.
   void add_matrix(const StepMotion& motion, std::span<const GroundNode> before, Mat matrix) const;
 
  private:

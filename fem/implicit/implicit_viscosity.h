@@ -29,7 +29,7 @@ class ImplicitViscosity {
   /// Adds `factor` times the damping matrix df/dv (f: viscous forces, v: nodal velocities), which is symmetric and positive
   /// semidefinite. The change of viscous forces with displacements is neglected. It is a part eta |d| / mu of the stiffness, with
   /// the viscosity eta, the rate of deformation d and the shear modulus mu.
-  /// @param matrix with the nonzeros of the stiffness; values must still be being added to it (no MatAssemblyEnd before)
+  /// @param matrix with the nonzeros of the stiffness; the caller assembles it (MatAssemblyEnd) afterwards
   void add_matrix(const Assembly& assembly, std::span<const double> displacements_m, double factor, Mat matrix) const;
 
  private:

@@ -1,21 +1,17 @@
 #include "fem/implicit_locomotion/implicit_locomotion.h"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "fem/contact/self_contact_surface.h"
 #include "fem/elements/element_kernel.h"
 #include "fem/implicit/implicit_dynamics.h"
 #include "fem/implicit_locomotion/implicit_ranks.h"
 #include "fem/memory/memory_estimate.h"
 #include "fem/motion/state_check.h"
+#include "fem/space/rank_gather.h"
 #include "fem/space/space.h"
 #include "io/process/machine_memory.h"
 #include "io/text/input_error.h"
@@ -51,28 +47,27 @@ ImplicitOptions options_of(const LocomotionStudy& study, const std::atomic<bool>
   return options;
 }
 
-/// The node at each point of the mesh that a space was made from: same places but for rounding. @param places of nodes, 3 numbers
-/// each
-std::vector<std::size_t> nodes_at_points(const std::vector<double>& places, const meshes::HexahedralMesh& mesh) {
-  const double unit = 0.01 * shortest_edge_m(mesh);
-  using Key = std::array<long, 3>;
-  const auto key_of = [&](const auto& place) {
-    return Key{std::lround(place[0] / unit), std::lround(place[1] / unit), std::lround(place[2] / unit)};
-  };
-  std::map<Key, std::size_t> nodes;
-  for (std::size_t node = 0; 3 * node < places.size(); ++node) nodes[key_of(std::span(places).subspan(3 * node, 3))] = node;
-  std::vector<std::size_t> result;
-  result.reserve(mesh.points.size());
-  for (const meshes::Point& point : mesh.points) {
-    const Key key = key_of(point);
-    auto found = nodes.find(key);
-    // Rounding may have moved either over the border between two units.
-    for (int n = 0; n < 27 && found == nodes.end(); ++n)
-      found = nodes.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
-    assert(found != nodes.end());
-    result.push_back(found->second);
+/// The node at each point of the mesh that a space was made from, by global number, on the first rank; nothing elsewhere. Points
+/// of the mesh may coincide: modules that touch along an edge only are not bonded there. So a point is found by the elements that
+/// have it and not by its place. Collective. @param space without refinements
+std::vector<std::size_t> nodes_at_points(const Space& space, const meshes::HexahedralMesh& mesh) {
+  constexpr std::size_t corners = 8;
+  std::vector<double> own;  // per element: its number in the mesh and the nodes at its corners
+  const auto along_edge = static_cast<std::size_t>(space.degree);
+  for (std::size_t e = 0; e < space.mesh_elements.size(); ++e) {
+    own.push_back(static_cast<double>(space.mesh_elements[e]));
+    for (std::size_t c = 0; c < corners; ++c) {
+      const std::size_t at = along_edge * ((c & 1) + (along_edge + 1) * ((c >> 1 & 1) + (along_edge + 1) * (c >> 2)));
+      own.push_back(static_cast<double>(space.global_node(space.element_nodes[e * space.nodes_per_element() + at])));
+    }
   }
-  return result;
+  const std::vector<double> all = gather_on_first(space.communicator, own);
+  std::vector<std::size_t> nodes(all.empty() ? 0 : mesh.points.size());
+  for (auto at = all.begin(); at != all.end(); at += 1 + corners) {
+    const meshes::ElementCorners& points = mesh.elements[static_cast<std::size_t>(*at)];
+    for (std::size_t c = 0; c < corners; ++c) nodes[points[c]] = static_cast<std::size_t>(at[1 + static_cast<std::ptrdiff_t>(c)]);
+  }
+  return nodes;
 }
 
 /// Makes the nodes and elements of a study. @throws io::InputError with the keys that decide it if they would not fit into memory
@@ -80,7 +75,7 @@ Space checked_space(const LocomotionStudy& study) {
   const int degree = study.implicit->degree;
   const std::string obstacle = obstacle_of_memory(body_size(study.mesh, degree, 0), degree, {}, io::machine_memory_bytes());
   if (!obstacle.empty()) {
-    throw io::InputError(obstacle + "; lower dynamics.degree = " + std::to_string(degree) +
+    throw io::InputError(obstacle + "; lower elements.degree = " + std::to_string(degree) +
                          ", design.elements_through_wall = " + std::to_string(study.hollow.elements_through_wall) +
                          ", or give design.largest_element_m or dynamics.method = \"explicit\"");
   }
@@ -102,10 +97,7 @@ class ImplicitLocomotion final : public WalkDynamics {
     int rank = 0;
     MPI_Comm_rank(space_.communicator, &rank);
     is_first_ = rank == 0;
-    std::vector<double> places;
-    for (const Point& position : space_.positions) places.insert(places.end(), position.begin(), position.end());
-    places = field_of_all_ranks(space_, places);
-    if (is_first_) nodes_ = nodes_at_points(places, study.mesh);
+    nodes_ = nodes_at_points(space_, study.mesh);
     MPI_Allreduce(&ground_node_count_, &all_ground_nodes_, 1, MPI_UNSIGNED_LONG, MPI_SUM, space_.communicator);
   }
   ImplicitLocomotion(const ImplicitLocomotion&) = delete;

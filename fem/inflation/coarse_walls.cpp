@@ -66,7 +66,7 @@ std::string note_on_coarse_walls(const InflationStudy& study) {
                                          : "up to 16 % too large there, growth of chambers up to 8 %";
   return std::string("one ") + (is_linear ? "Q1/P0" : "Q2/P1") + " element through the wall: in " + std::to_string(cells) +
          " of " + std::to_string(source->design.body.count()) + " cells walls span one cell, and displacements are expected " +
-         expected + "; " + (is_linear ? "element.degree = 2 with " : "") +
+         expected + "; " + (is_linear ? "elements.degree = 2 with " : "") +
          "design.elements_through_wall = 2 brings this below 1 %; elements.kind = \"thin_wall\" takes less time and is "
          "5 to 16 % off on an inchworm, by fidelity, but fingers bend " +
          meshes::thin_wall_bend_deficit_text() + " too little on it";

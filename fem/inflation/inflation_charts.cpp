@@ -1,6 +1,9 @@
 #include "fem/inflation/inflation_charts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "io/shown/shown_quantity.h"
 
@@ -46,6 +49,17 @@ io::ChartPanel panel(const InflationResult& result, VolumeScale scale) {
   return panel;
 }
 
+/// Whether all plena have the same pressure all along the path, and it is not zero throughout.
+bool has_one_pressure(const std::vector<PathPoint>& points) {
+  bool is_pressed = false;
+  for (const PathPoint& point : points) {
+    const auto [low, high] = std::ranges::minmax_element(point.pressures_Pa);
+    if (low == point.pressures_Pa.end() || *low != *high) return false;
+    is_pressed = is_pressed || *low != 0.0;
+  }
+  return is_pressed;
+}
+
 }  // namespace
 
 io::PictureOutcome draw_pressure_volume(const std::filesystem::path& file, const InflationResult& result) {
@@ -53,6 +67,26 @@ io::PictureOutcome draw_pressure_volume(const std::filesystem::path& file, const
   const io::Chart chart{.title = "pressure over volume",
                         .panels = {panel(result, VolumeScale::cubic_centimetres), panel(result, VolumeScale::per_cent)}};
   return io::write_chart(file, chart, {.width_px = 2000, .height_px = 900});
+}
+
+io::PictureOutcome draw_displacements(const std::filesystem::path& file, const InflationResult& result) {
+  const std::vector<PathPoint>& points = result.path.points;
+  if (points.empty() || result.point_names.empty()) return {.written = false, .missing = "there are no points"};
+  const bool is_over_pressure = has_one_pressure(points);
+  io::ChartPanel panel;
+  panel.x.title = is_over_pressure ? "pressure (kPa)" : "path parameter: the knots of the path are 0, 1, 2, ...";
+  panel.y.title = "distance from its place at rest (mm)";
+  for (std::size_t n = 0; n < result.point_names.size(); ++n) {
+    io::ChartSeries series{
+        .name = result.point_names[n], .marks = io::Marks::line_and_points, .dashed = n % 2 == 1, .colour = io::chart_colour(n)};
+    for (std::size_t at = 0; at < points.size(); ++at) {
+      const Point& moved_m = result.observations[at][n].displacement_m;
+      series.x.push_back(is_over_pressure ? 1e-3 * points[at].pressures_Pa.front() : points[at].s);
+      series.y.push_back(1e3 * std::hypot(moved_m[0], moved_m[1], moved_m[2]));
+    }
+    panel.series.push_back(std::move(series));
+  }
+  return io::write_chart(file, {.title = "how far points move", .panels = {panel}}, {.width_px = 1400, .height_px = 900});
 }
 
 }  // namespace menger::fem

@@ -387,10 +387,10 @@ void require_memory(const InflationStudy& study, const meshes::HexahedralMesh& m
                                                   io::machine_memory_bytes() / bodies);
   if (obstacle.empty()) return;
   std::string advice = "; lower ";
-  if (study.refinements > 0) advice += "element.refinements = " + std::to_string(study.refinements) + " (or --refine), ";
+  if (study.refinements > 0) advice += "elements.refinements = " + std::to_string(study.refinements) + " (or --refine), ";
   if (const auto* design = std::get_if<DesignSource>(&study.source); design != nullptr && !study.has_thin_walls())
     advice += "design.elements_through_wall = " + std::to_string(design->options.elements_through_wall) + ", ";
-  if (!study.has_thin_walls()) advice += "element.degree = " + std::to_string(degree) + ", ";
+  if (!study.has_thin_walls()) advice += "elements.degree = " + std::to_string(degree) + ", ";
   if (study.solver.linear.method == LinearMethod::direct) advice += "set solver.linear to \"automatic\", ";
   throw io::InputError(study.file.string() + ": " + obstacle + advice +
                        "or give design.largest_element_m or elements.kind = \"thin_wall\"");

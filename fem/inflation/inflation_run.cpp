@@ -190,7 +190,7 @@ class InflationRun {
     on_first_rank(options_.communicator, [&] {
       folder_.begin({"result.toml"});
       if (!ended || study_.output.pictures)
-        folder_.remove({"chamber.png", "pv_curve.png"});  // else those of an ended path stay true
+        folder_.remove({"chamber.png", "pv_curve.png", "displacement.png"});  // else those of an ended path stay true
       if (progress_.restart.points.empty()) folder_.remove({checkpoint_name, "curves.csv"});
     });
     if (ended && !study_.output.fields) return;  // the same holds for its fields
@@ -338,6 +338,8 @@ class InflationRun {
       }
       const io::PictureOutcome curve = draw_pressure_volume(folder_.file("pv_curve.png"), result_);
       if (!curve.written) result_.notes.push_back("no plot of pressure over volume: " + curve.missing);
+      const io::PictureOutcome moved = draw_displacements(folder_.file("displacement.png"), result_);
+      if (!moved.written) result_.notes.push_back("no plot of displacements: " + moved.missing);
     });
   }
 
@@ -389,7 +391,10 @@ class InflationRun {
 }  // namespace
 
 InflationResult run_inflation(const InflationStudy& study, const fs::path& folder, const InflationOptions& options) {
-  on_first_rank(options.communicator, [&] { io::require_writable_folder(folder); });
+  on_first_rank(options.communicator, [&] {
+    io::refuse_results_of_another(folder, "menger-inflate");
+    io::require_writable_folder(folder);
+  });
   return InflationRun(study, folder, options).run();
 }
 

@@ -50,8 +50,8 @@ struct InflationResult {
 };
 
 /// Runs a study and writes its results into `folder`: curves.csv (rewritten after every point of the path), fields.pvd with
-/// fields/, chamber.png (see draw_deformed_body), pv_curve.png, result.toml (status, reason, limit points, counts),
-/// manifest.json, and path.checkpoint.
+/// fields/, chamber.png (see draw_deformed_body), pv_curve.png, displacement.png, result.toml (status, reason, limit points,
+/// counts), manifest.json, and path.checkpoint.
 ///
 /// From the checkpoint the same study resumes where an earlier run was stopped. A study that has ended is not computed again. Its
 /// fields and pictures are kept if the output asks for none. Each file is written whole or not at all. Collective: every rank of

@@ -94,17 +94,19 @@ void describe_materials(io::StudyVisitor& visitor, InflationStudy& study) {
 }
 
 void describe_elements(io::StudyVisitor& visitor, InflationStudy& study) {
-  visitor.table({"elements", "The kind of finite elements."}, [&] { describe(visitor, study.elements, false); });
-}
-
-void describe_element(io::StudyVisitor& visitor, InflationStudy& study) {
-  visitor.table({"element", "Three-field elements."}, [&] {
-    visitor.only_if(!study.has_thin_walls(), "elements.kind = \"three_field\"", [&] {
-      visitor.integer({"degree", "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1."}, study.degree, io::within(1, 2));
-      visitor.word({"formulation", "three_field: pressure and dilatation are separate fields; displacement: they are not."},
+  visitor.table({"elements", "The finite elements."}, [&] {
+    describe(visitor, study.elements, false);
+    visitor.only_if(!study.has_thin_walls(), "kind = \"three_field\"", [&] {
+      visitor.integer(
+          {.name = "degree", .help = "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1.", .earlier = "/element.degree"},
+          study.degree, io::within(1, 2));
+      visitor.word({.name = "formulation",
+                    .help = "three_field: pressure and dilatation are separate fields; displacement: they are not.",
+                    .earlier = "/element.formulation"},
                    study.formulation, formulation_words());
-      visitor.integer({"refinements", "How many times every element is split into eight."}, study.refinements,
-                      io::within(0, largest_refinement_count));
+      visitor.integer(
+          {.name = "refinements", .help = "How many times every element is split into eight.", .earlier = "/element.refinements"},
+          study.refinements, io::within(0, largest_refinement_count));
     });
   });
 }
@@ -125,7 +127,8 @@ void describe_supports(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.table({"supports", "How the body is held."}, [&] {
     visitor.word({"kind",
                   "ground_guided: slides on the ground; ground_held: held on the ground; resting: rests on the ground by its "
-                  "weight; free: only its rigid motions are held; labels: held by labels only."},
+                  "weight; free: only its rigid motions are held; labels: held by labels only. What slides or rests is held "
+                  "against drifting at the node nearest to its vertical axis, from which all else moves away."},
                  supports.kind, support_words());
     visitor.only_if(supports.kind == SupportKind::resting, "kind = \"resting\"", [&] {
       visitor.number({"ground_stiffness_Pa_per_m", "Pressure of the ground divided by depth."},
@@ -214,7 +217,8 @@ void describe_steps(io::StudyVisitor& visitor, PathOptions& path, std::size_t kn
   const auto up_to = [](double most) { return io::Range{.lowest = 0.0, .highest = most, .lowest_excluded = true}; };
   visitor.number({"largest_step", "Largest step, as a fraction of the path between two knots."}, path.largest_step, up_to(1.0));
   path.first_step = std::min(path.first_step, path.largest_step);
-  visitor.number({"first_step", "First step after a knot."}, path.first_step, up_to(path.largest_step));
+  visitor.number({"first_step", "First step of the path, as a fraction of the way between two knots."}, path.first_step,
+                 up_to(path.largest_step));
   path.smallest_step = std::min(path.smallest_step, path.first_step);
   visitor.number({"smallest_step", "Smallest step. If even this step fails, the path ends."}, path.smallest_step,
                  up_to(path.first_step));
@@ -363,7 +367,6 @@ void describe_states(io::StudyVisitor& visitor, InflationStudy& study) {
   visitor.check(!study.has_thin_walls() || std::holds_alternative<DesignSource>(study.source), "elements.kind",
                 "the walls of a mesh file are not known: give a design");
   describe_materials(visitor, study);
-  describe_element(visitor, study);
   describe_supports(visitor, study);
   describe_path(visitor, study);
   describe_solver(visitor, study);
@@ -377,10 +380,14 @@ void describe_output(io::StudyVisitor& visitor, StudyOutput& output) {
     visitor.integer({"fields_every", "Number of states of the path per state that is written. The last state is always written."},
                     output.fields_every, io::at_least(1));
     visitor.boolean({"pictures", "Whether pictures are drawn."}, output.pictures);
-    visitor.tables({"points", "Points whose displacement and stretch are recorded."}, output.points, [&](NamedPoint& point) {
-      describe_name(visitor, {"name", "Name of the point, in columns of results.", "\"foot\""}, point, output.points);
-      visitor.numbers({"position_m", "Position of the point at rest.", "[0, 0, 0]"}, point.position);
-    });
+    visitor.tables(
+        {"points",
+         "Points whose displacement and stretch are recorded, beside the middles of the top (top centre) and of the "
+         "side at the largest x (side centre)."},
+        output.points, [&](NamedPoint& point) {
+          describe_name(visitor, {"name", "Name of the point, in columns of results.", "\"foot\""}, point, output.points);
+          visitor.numbers({"position_m", "Position of the point at rest.", "[0, 0, 0]"}, point.position);
+        });
   });
 }
 

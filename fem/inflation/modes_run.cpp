@@ -29,6 +29,7 @@ InflationStudy with_pressure(InflationStudy study, const ModesOptions& options) 
   if (options.pressure_Pa) {
     study.drives = {{"", {.kind = DriveKind::pressure, .values = {0.0, *options.pressure_Pa}}}};
     study.path.stations.clear();
+    study.path.ends_at = {};  // the state that is asked for may lie beyond a limit point of the replaced path
     for (StudyPlate& plate : study.plates) plate.drive = {};  // its knots are those of the replaced path
   }
   return study;
@@ -147,6 +148,9 @@ class ModesRun {
     const PathReport report = follow_path(equilibrium_, PathDrives{.plena = problem_.drives, .plates = problem_.plate_drives},
                                           study_.path, observer, options_.stop);
     if (report.status != io::RunStatus::completed) fail(report.status, report.reason);
+    if (report.status == io::RunStatus::completed && report.points.back().s < end() - 1e-12)
+      result_.notes.push_back("path.end_at_limit_point: the path ended at s = " + io::number_text(report.points.back().s) +
+                              ", and no state beyond has modes");
   }
 
   void vibrate(std::size_t n) {

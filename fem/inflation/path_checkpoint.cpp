@@ -14,7 +14,7 @@
 namespace menger::fem {
 namespace {
 
-constexpr std::string_view title = "menger path checkpoint 4";
+constexpr std::string_view title = "menger path checkpoint 5";
 
 template <class Transfer, class Value>
 void transfer(Transfer& stream, Value& value);
@@ -137,6 +137,7 @@ void transfer(Transfer& stream, Value& value) {
     stream(value.restart.next_step);
     stream(value.restart.failed_s);
     transfer(stream, value.restart.failed_status);
+    stream(value.restart.failure);
     stream(value.restart.rejected_steps);
     stream(value.observations);
     stream(value.extent_changes_m);
@@ -153,27 +154,31 @@ void transfer(Transfer& stream, Value& value) {
   }
 }
 
-/// Returns the bytes of every rank on the first one.
-std::vector<std::string> gather(const std::string& bytes, MPI_Comm communicator) {
+/// Returns the bytes of every rank on the first one. Large bodies have more than a message may hold.
+std::vector<std::string> gather(std::string bytes, MPI_Comm communicator) {
+  constexpr std::size_t most_in_message = std::size_t{1} << 30U;
   int rank = 0;
   int count = 0;
   MPI_Comm_rank(communicator, &rank);
   MPI_Comm_size(communicator, &count);
-  const auto size = static_cast<int>(bytes.size());
-  std::vector<int> sizes(static_cast<std::size_t>(count));
-  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator);
-  std::vector<int> starts(sizes.size());
-  int total = 0;
-  for (std::size_t r = 0; r < sizes.size(); ++r) {
-    starts[r] = total;
-    total += sizes[r];
-  }
-  std::string all(rank == 0 ? static_cast<std::size_t>(total) : 0, '\0');
-  MPI_Gatherv(bytes.data(), size, MPI_CHAR, all.data(), sizes.data(), starts.data(), MPI_CHAR, 0, communicator);
+  const std::uint64_t size = bytes.size();
+  std::vector<std::uint64_t> sizes(static_cast<std::size_t>(count));
+  MPI_Gather(&size, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, 0, communicator);
+  const auto in_messages = [&](std::string& part, const auto& transfer_piece) {
+    for (std::size_t at = 0; at < part.size(); at += most_in_message)
+      transfer_piece(part.data() + at, static_cast<int>(std::min(most_in_message, part.size() - at)));
+  };
   std::vector<std::string> parts;
-  if (rank != 0) return parts;
-  for (std::size_t r = 0; r < sizes.size(); ++r)
-    parts.push_back(all.substr(static_cast<std::size_t>(starts[r]), static_cast<std::size_t>(sizes[r])));
+  if (rank != 0) {
+    in_messages(bytes, [&](const char* piece, int length) { MPI_Send(piece, length, MPI_CHAR, 0, 0, communicator); });
+    return parts;
+  }
+  parts.push_back(std::move(bytes));
+  for (int r = 1; r < count; ++r) {
+    parts.emplace_back(sizes[static_cast<std::size_t>(r)], '\0');
+    in_messages(parts.back(),
+                [&](char* piece, int length) { MPI_Recv(piece, length, MPI_CHAR, r, 0, communicator, MPI_STATUS_IGNORE); });
+  }
   return parts;
 }
 

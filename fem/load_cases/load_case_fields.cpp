@@ -47,7 +47,7 @@ void LoadCaseFields::remove_others() const {
 
 void LoadCaseFields::add(std::size_t place, Equilibrium& equilibrium, const PathPoint& point, const BodyState& state) {
   const auto step = static_cast<int>(place);
-  const NodalFields fields = nodal_fields(equilibrium.assembly(), state.displacements_m);
+  const NodalFields fields = nodal_fields(equilibrium.assembly(), state.displacements_m, state.plenum_pressures_Pa);
   steps_.push_back({.step = step, .s = static_cast<double>(step), .plenum_pressures_Pa = point.pressures_Pa});
   series_.add(equilibrium.space(), state.displacements_m, fields, steps_.back());
 }

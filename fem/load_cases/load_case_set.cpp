@@ -250,7 +250,10 @@ class SetRun {
 std::vector<CaseOutcome> run_load_case_set(const LoadCaseStudy& study, const fs::path& folder, const SetOptions& options) {
   // checked first, before other cases run for hours
   for (const CaseRequest& request : study.cases) require_meshable(request.load_case, request.elements);
-  on_first_rank(options.communicator, [&] { io::require_writable_folder(folder / "cache"); });
+  on_first_rank(options.communicator, [&] {
+    io::refuse_results_of_another(folder, "menger-load-cases");
+    io::require_writable_folder(folder / "cache");
+  });
   return SetRun(study, folder, options).run();
 }
 

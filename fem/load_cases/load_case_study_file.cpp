@@ -136,7 +136,8 @@ void check_length(const io::StudyVisitor& visitor, const LoadCase& load_case) {
   if (load_case.imposed.empty() || load_case.level > 1) return;
   const bool is_press = load_case.kind == LoadCaseKind::press;
   if (!is_press && load_case.kind != LoadCaseKind::stretch) return;
-  const double length_m = load_case.cell_edge_m * load_case.cells[is_press ? 2 : 0];
+  const meshes::CellBox box = meshes::occupied_box(load_case.cells, load_case.digits);
+  const double length_m = load_case.cell_edge_m * box.size[is_press ? 2 : 0];
   const double most_m = is_press ? load_case.imposed.back() : -load_case.imposed.front();
   visitor.check(most_m < length_m, "displacement_m", "must shorten the body by less than its length");
 }

@@ -67,6 +67,7 @@ LocomotionResult read_locomotion_result(const std::filesystem::path& folder) {
   result.time_s = table.number("time_s", io::non_negative());
   result.steps = table.integer<std::size_t>("steps", io::at_least(0));
   result.elements = table.integer<std::size_t>("elements", io::at_least(0));
+  result.nodes = table.integer<std::size_t>("nodes", io::at_least(0));
   result.seconds = table.number("seconds", io::non_negative());
   result.body_length_m = table.number("body_length_m", io::positive());
 

@@ -24,8 +24,8 @@ LocomotionResult named_result(const PreparedWalk& walk, WalkResult result);
 /// Returns a table with one line per record; the first columns are those of the surrogate's trajectory.
 io::CsvTable trajectory_table(const LocomotionResult& result);
 
-/// Reads locomotion.toml and trajectory.csv of a folder back: everything but names, notes and the columns after the centre of
-/// mass.
+/// Reads locomotion.toml and trajectory.csv of a folder back: everything but names, notes, the height of the ground (0 instead)
+/// and the columns after the centre of mass.
 /// @throws io::InputError with file, key and value
 LocomotionResult read_locomotion_result(const std::filesystem::path& folder);
 

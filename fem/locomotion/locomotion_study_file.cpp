@@ -56,6 +56,14 @@ void describe_elements(io::StudyVisitor& visitor, LocomotionStudy& study) {
   visitor.table(
       {"elements", "The finite elements of the body. Implicit dynamics has only three_field, which is then the default."}, [&] {
         describe(visitor, study.elements, true);
+        int degree = study.implicit.value_or(LocomotionImplicit{}).degree;
+        visitor.only_if(is_implicit, "dynamics.method = \"implicit\"", [&] {
+          visitor.integer(
+              {.name = "degree", .help = "Degree of the displacements: 1 is Q1/P0, 2 is Q2/P1.", .earlier = "/dynamics.degree"},
+              degree, io::within(1, 2));
+        });
+        if (is_implicit) study.implicit = study.implicit.value_or(LocomotionImplicit{});
+        if (study.implicit) study.implicit->degree = degree;
         visitor.check(!is_implicit || study.elements.kind == ElementKind::three_field, "kind",
                       "dynamics.method = \"implicit\" has only \"three_field\"");
       });
@@ -102,7 +110,6 @@ void describe_time(io::StudyVisitor& visitor, LocomotionStudy& study) {
 }
 
 void describe_implicit(io::StudyVisitor& visitor, LocomotionImplicit& implicit) {
-  visitor.integer({"degree", "Degree of the elements: 1 (Q1/P0) or 2 (Q2/P1)."}, implicit.degree, io::within(1, 2));
   visitor.number({"tolerance", "Largest error of a step: its root mean square divided by the diameter of the body."},
                  implicit.tolerance, io::positive());
   visitor.number(

@@ -34,7 +34,7 @@ struct FrequencyResponse {
 /// u = 1/(1 + i eta) (sum_k x_k (x_k.f) / (lambda_k - z) + sum_m (z - s)^m (A^-1 M)^m P A^-1 f), m = 0, 1, 2.
 ///
 /// The first of the last terms is the static correction. The error for each other mode, with its lambda_j, is about
-/// (omega^2/lambda_j)^3 of its static share. It is zero at omega = 0, and small below half the highest frequency among the modes.
+/// ((omega^2 - s)/(lambda_j - s))^3 of its static share: small below half the highest frequency among the modes.
 /// A load that moves the body rigidly (chamber pressure cannot) loses that part.
 ///
 /// @param modes of the same body, completed

@@ -30,15 +30,19 @@ std::optional<double> pressure_of(const PneumaticGas& gas, double volume_m3, dou
   double pressure = 2.0 * (air_m3 - volume_m3) / divisor;
   if (!(pressure > -ambient)) return std::nullopt;
   if (gas.exponent == 1.0) return pressure;
+  double last = infinite;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const double per_air = volume_per_air(gas, pressure);
     const double absolute = pressure + ambient;
     const double volume = volume_m3 + compliance * pressure;
     const double change = (air_m3 * per_air - volume) / (compliance + volume / (gas.exponent * absolute));
     pressure += std::clamp(change, -0.8 * absolute, 4.0 * absolute);
-    if (std::abs(change) <= 1e-15 * absolute) break;
+    // What rounding leaves of the difference of two volumes does not shrink any more.
+    const double size = std::abs(change) / absolute;
+    if (size <= 1e-15 || (size < 1e-12 && size >= last)) return pressure;
+    last = size;
   }
-  return pressure;
+  return std::nullopt;
 }
 
 /// The flow times the resistance in a mode. Beyond the end of the turbulent mode the law continues along its tangent.

@@ -14,7 +14,7 @@ struct RankShares {
 };
 
 /// Collects the values of all ranks on the first rank, one rank after the other. Returns them there, and nothing elsewhere.
-/// Collective. @param type of a value
+/// Collective. @param type of a value @param own fewer than 2^31 on all ranks together
 template <class Value>
 std::vector<Value> gather_on_first(MPI_Comm communicator, MPI_Datatype type, const std::vector<Value>& own, RankShares& shares) {
   int ranks = 1;

@@ -78,7 +78,8 @@ class Assembly {
   void read_volume_gradients(std::span<const double> displacements, std::span<std::vector<double>> gradients) const;
   [[nodiscard]] const PressedWalls& walls() const { return walls_; }
 
-  /// Adds a block of some local nodes, row by row, to a matrix from make_matrix that has not been assembled yet.
+  /// Adds a block of some local nodes, row by row, to a matrix from make_matrix, which the caller assembles (MatAssemblyEnd)
+  /// afterwards.
   /// @param block its rows and columns of held components are set to zero
   /// @param held_change receives the forces that those columns cause, or nullptr
   void add_to_matrix(Mat stiffness, std::span<const Index> nodes, std::span<double> block,

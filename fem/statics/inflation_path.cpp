@@ -107,10 +107,12 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
   return report;
 }
 
-/// Whether an equilibrium at given pressures lies beyond a limit or bifurcation point. Negative pivots of a factorisation during
-/// the search are confirmed by a factorisation at the state itself.
+/// Whether an equilibrium at given pressures lies beyond a limit or bifurcation point. The factorisation during the search may be
+/// that of a state before it. Negative pivots are confirmed by a factorisation at the state itself; so is that there are none at
+/// the knots, of which the end of the path is one, and where the search needed no factorisation.
 bool PathFollower::is_unstable(const BodyState& state, double s, EquilibriumReport& report) {
-  if (report.negative_pivots.value_or(0) == 0) return false;
+  if (equilibrium_.linear_choice().method != LinearMethod::direct) return false;
+  if (report.negative_pivots == 0 && !is_knot(s)) return false;
   report.negative_pivots = equilibrium_.count_negative_pivots(state, schedule_.dead_load_factor_at(s));
   return report.negative_pivots.value_or(0) > 0;
 }
@@ -218,7 +220,7 @@ bool PathFollower::accept(double s, const BodyState& state, const EquilibriumRep
   if (observer_) {
     observer_(point, state,
               {history_.path_parameters(), history_.states(), report_.points, report_.limit_points, step_, failed_s_,
-               failed_status_, report_.rejected_steps});
+               failed_status_, failure_, report_.rejected_steps});
   }
   if (gap && gap->gap_m <= options_.touching_gap * gaps_.size_m()) {
     end(io::RunStatus::wall_contact, "two walls of a chamber touch");
@@ -389,6 +391,7 @@ void PathFollower::resume(const PathRestart& restart) {
   step_ = restart.next_step;
   failed_s_ = restart.failed_s;
   failed_status_ = restart.failed_status;
+  failure_ = restart.failure;
   report_.rejected_steps = restart.rejected_steps;
   last_gap_m_ = report_.points.back().smallest_gap_m;
 }

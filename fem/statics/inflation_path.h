@@ -42,7 +42,7 @@ struct LimitPoint {
 
 /// Options of the steps along a path. The path parameter s runs from 0 to the number of legs; a leg lies between two knots.
 struct PathOptions {
-  double first_step = 0.25;      ///< of a leg
+  double first_step = 0.25;      ///< of the path; of a leg
   double largest_step = 0.5;     ///< of a leg
   double smallest_step = 1e-4;   ///< of a leg; if a step as short as this fails, the path ends
   int desired_iterations = 6;    ///< steps grow when they take fewer, and shrink when they take more
@@ -74,6 +74,7 @@ struct PathRestart {
   double next_step = 0.0;
   double failed_s = std::numeric_limits<double>::max();        ///< the smallest s that could not be reached
   io::RunStatus failed_status = io::RunStatus::not_converged;  ///< why it could not be reached
+  std::string failure{};                                       ///< the same, for people
   int rejected_steps = 0;
 };
 

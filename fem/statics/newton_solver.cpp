@@ -206,6 +206,7 @@ void NewtonSolver::take_step(SNESLineSearch line_search) {
 }
 
 void NewtonSolver::evaluate_trial(SNESLineSearch line_search, double length) {
+  length_ = length;
   const StepVectors step(line_search);
   petsc(VecWAXPY(step.trial, -length, step.y, step.x));
   if (problem_.correct_trial) problem_.correct_trial(step.trial, step.x, length);
@@ -251,6 +252,7 @@ NewtonIterate NewtonSolver::iterate(int steps) const {
   if (steps == 0 || !std::holds_alternative<ReuseWhileStepsShrink>(options_.reuse)) return result;
   const double rate = this_rate_ > 0.0 ? this_rate_ : std::max(rate_, 0.1);
   result.distance = rate < 0.9 ? step_size_ * rate / (1.0 - rate) : 10.0 * step_size_;
+  result.distance = std::max(result.distance, (1.0 - length_) * step_size_);  // what a shortened step leaves
   return result;
 }
 

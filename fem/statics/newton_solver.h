@@ -156,6 +156,7 @@ class NewtonSolver {
   double rate_;             ///< of the last solve
   double this_rate_ = 0.0;  ///< of this solve; 0: not known yet
   double step_size_ = 0.0;
+  double length_ = 1.0;         ///< of the last trial, as a part of the step
   int steps_with_tangent_ = 0;  ///< in this solve
 };
 

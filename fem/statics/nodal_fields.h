@@ -21,8 +21,7 @@ struct NodalFields {
 };
 
 /// Computes the fields of a state. Collective. @param displacements 3 per local node, ghosts up to date
-/// @param plenum_pressures_Pa read for thin walls only
-NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements,
-                         std::span<const double> plenum_pressures_Pa = {});
+/// @param plenum_pressures_Pa gauge; read for thin walls only, whose stress has the mean of the pressures on both sides
+NodalFields nodal_fields(Assembly& assembly, std::span<const double> displacements, std::span<const double> plenum_pressures_Pa);
 
 }  // namespace menger::fem

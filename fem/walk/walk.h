@@ -41,7 +41,8 @@ class Walk {
   Walk(const PreparedWalk& walk, WalkDynamics& dynamics);
 
   /// Continues an earlier walk of the same input instead of beginning at rest.
-  /// @throws io::InputError saying why the progress cannot be one of this walk, which then stays as it is
+  /// @throws io::InputError saying why the progress cannot be one of this walk. The walk then stays as it is, but for a state of
+  /// implicit dynamics with an element inside out, after which it is of no use
   void resume(WalkProgress progress);
 
   /// Makes the record of the start, if there is none yet.

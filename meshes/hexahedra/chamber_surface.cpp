@@ -41,23 +41,9 @@ EdgeBalance edge_balance(const HexahedralMesh& mesh, const Chamber& chamber) {
   return balance;
 }
 
-/// Returns the largest distance from a coordinate plane at which a point counts as in the plane. It is far above the rounding of
-/// files with single precision and far below any element.
-double plane_tolerance(const HexahedralMesh& mesh) {
-  Point low = mesh.points.at(0);
-  Point high = low;
-  for (const Point& point : mesh.points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], point[axis]);
-      high[axis] = std::max(high[axis], point[axis]);
-    }
-  }
-  return 1e-6 * length(difference(high, low));
-}
-
 /// Returns the edges of symmetry faces that lie in a coordinate plane.
 std::set<std::array<std::size_t, 2>> symmetry_edges(const HexahedralMesh& mesh) {
-  const double tolerance = plane_tolerance(mesh);
+  const double tolerance = coincidence_tolerance_m(mesh.points);
   const auto in_one_plane = [&](const Point& a, const Point& b) {
     return std::any_of(all_axes.begin(), all_axes.end(),
                        [&](std::size_t axis) { return std::abs(a[axis]) <= tolerance && std::abs(b[axis]) <= tolerance; });
@@ -98,7 +84,7 @@ Point cap_apex(const HexahedralMesh& mesh, const Cap& cap) {
   }
   std::erase_if(balance, [](const auto& end) { return end.second == 0; });
   if (balance.empty()) return middle;
-  const double tolerance = plane_tolerance(mesh);
+  const double tolerance = coincidence_tolerance_m(mesh.points);
   for (const auto& [corner, ends] : balance) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (std::abs(mesh.points[corner][axis]) <= tolerance) middle[axis] = 0.0;

@@ -1,6 +1,7 @@
 #include "meshes/hexahedra/element_geometry.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +39,19 @@ FaceCorners sorted(FaceCorners corners) {
 }
 
 double length(const Point& a) { return std::sqrt(dot(a, a)); }
+
+double coincidence_tolerance_m(std::span<const Point> points) {
+  assert(!points.empty());
+  Point low = points.front();
+  Point high = low;
+  for (const Point& point : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], point[axis]);
+      high[axis] = std::max(high[axis], point[axis]);
+    }
+  }
+  return 1e-6 * length(difference(high, low));
+}
 
 bool is_finite(const Point& place) { return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]); }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,11 @@ inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 double length(const Point& a);
+
+/// Returns the largest distance at which two points count as one place, and a point as one of a coordinate plane: 1e-6 of the
+/// diagonal of the box around all points. It is far above the rounding of files with single precision and far below any element.
+/// @param points at least one
+double coincidence_tolerance_m(std::span<const Point> points);
 
 /// Returns whether all coordinates are finite.
 bool is_finite(const Point& place);

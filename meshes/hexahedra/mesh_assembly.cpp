@@ -140,6 +140,48 @@ void add_faces(HexahedralMesh& mesh, const FaceElements& at_faces, const std::ma
   }
 }
 
+Point centre_of(const HexahedralMesh& mesh, const BoundaryFace& face) {
+  Point centre{};
+  for (const std::size_t corner : face.corners)
+    for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] += 0.25 * mesh.points[corner][axis];
+  return centre;
+}
+
+/// Whether each corner of a face lies at one of another face.
+bool coincide(const HexahedralMesh& mesh, const BoundaryFace& a, const BoundaryFace& b, double tolerance) {
+  return std::ranges::all_of(a.corners, [&](std::size_t at) {
+    return std::ranges::any_of(
+        b.corners, [&](std::size_t other) { return length(difference(mesh.points[at], mesh.points[other])) <= tolerance; });
+  });
+}
+
+/// Refuses two faces of the boundary in the same place, unless both have a label: the parts on both sides are not bonded there,
+/// and programs that make meshes leave that to the user. @param labels of the named faces
+void require_no_cracks(const HexahedralMesh& mesh, const std::map<FaceCorners, std::size_t>& labels, const std::string& source) {
+  const double tolerance = coincidence_tolerance_m(mesh.points);
+  const double unit = 4.0 * tolerance;
+  using Key = std::array<std::int64_t, 3>;
+  std::map<Key, std::vector<std::size_t>> faces_at;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Point centre = centre_of(mesh, mesh.faces[f]);
+    const bool is_named = labels.contains(sorted(mesh.faces[f].corners));
+    Key key{};
+    for (std::size_t axis = 0; axis < 3; ++axis) key[axis] = std::llround(centre[axis] / unit);
+    for (std::int64_t n = 0; n < 27; ++n) {  // rounding may have moved either over the border between two units
+      const auto near = faces_at.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
+      if (near == faces_at.end()) continue;
+      for (const std::size_t other : near->second) {
+        if (is_named && labels.contains(sorted(mesh.faces[other].corners))) continue;
+        if (!coincide(mesh, mesh.faces[f], mesh.faces[other], tolerance)) continue;
+        throw io::InputError(source + ": two faces lie in the same place, at " + millimetre_text(centre) +
+                             ", and share no points: the solid has a crack there; merge the points of parts that are bonded, or "
+                             "give both faces a label");
+      }
+    }
+    faces_at[key].push_back(f);
+  }
+}
+
 void add_chambers(HexahedralMesh& mesh) {
   for (std::size_t label = 0; label < mesh.label_names.size(); ++label) {
     if (!mesh.label_names[label].starts_with("chamber")) continue;
@@ -165,8 +207,7 @@ void add_cap(HexahedralMesh& mesh, const NamedCap& cap, const std::string& sourc
 }
 
 /// Returns whether an edge lies in a plane of symmetry. Such an edge may bound a cap without being an edge of an element.
-bool in_coordinate_plane(const Point& a, const Point& b) {
-  const double tolerance = 1e-6 * length(difference(b, a));
+bool in_coordinate_plane(const Point& a, const Point& b, double tolerance) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (std::max(std::abs(a[axis]), std::abs(b[axis])) <= tolerance) return true;
   }
@@ -198,10 +239,11 @@ void drop_unused_points(NamedHexahedra& input, const std::string& source) {
       corner = kept[corner];
     }
   }
+  const double tolerance = coincidence_tolerance_m(points);
   for (NamedCap& cap : input.caps) {
     std::erase_if(cap.rim, [&](const std::array<std::size_t, 2>& edge) {
       if (kept[edge[0]] != unused && kept[edge[1]] != unused) return false;
-      if (in_coordinate_plane(input.points[edge[0]], input.points[edge[1]])) return true;
+      if (in_coordinate_plane(input.points[edge[0]], input.points[edge[1]], tolerance)) return true;
       throw io::InputError(source + ": the rim of \"" + cap.name + "\" has points that belong to no hexahedron");
     });
     for (std::array<std::size_t, 2>& edge : cap.rim) edge = {kept[edge[0]], kept[edge[1]]};
@@ -225,6 +267,7 @@ HexahedralMesh assemble_mesh(NamedHexahedra input, const std::string& source) {
   mesh.region_names = std::move(input.region_names);
   mesh.label_names = std::move(input.label_names);
   add_faces(mesh, at_faces, labels);
+  require_no_cracks(mesh, labels, source);
   add_chambers(mesh);
   for (const NamedCap& cap : input.caps) add_cap(mesh, cap, source);
   require_no_inverted_elements(mesh, source);

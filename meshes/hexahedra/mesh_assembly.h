@@ -41,8 +41,8 @@ struct NamedHexahedra {
 /// at all edges of its rim.
 /// @param source text at the start of messages, such as the name of the file
 /// @throws io::InputError if there are no elements, they are not all connected through faces, more than two share a face, a named
-/// face is not on the boundary of the solid or has two names, an element is inverted, a cap closes no chamber, or a chamber is
-/// open or encloses solid
+/// face is not on the boundary of the solid or has two names, an element is inverted, a cap closes no chamber, a chamber is open
+/// or encloses solid, or two faces of the boundary lie in the same place and not both have a name: a crack
 HexahedralMesh assemble_mesh(NamedHexahedra input, const std::string& source);
 
 }  // namespace menger::meshes

@@ -188,7 +188,11 @@ class StudyTexts {
     std::vector<double> pressures_Pa;
     const auto [lowest_Pa, highest_Pa] = drive_pressure_Pa(robot_);
     for (const double end_Pa : {std::min(lowest_Pa, 0.0), std::max(highest_Pa, 0.0)}) {
-      for (int n = 1; n <= validated_states; ++n) pressures_Pa.push_back(std::round(end_Pa * n / validated_states));
+      // Whole pascals, or so many decimals that no two are the same.
+      const double step_Pa = std::abs(end_Pa) / validated_states;
+      const double per_Pa = step_Pa == 0.0 ? 1.0 : std::pow(10.0, std::max(0.0, 1.0 - std::floor(std::log10(step_Pa))));
+      for (int n = 1; n <= validated_states; ++n)
+        pressures_Pa.push_back(std::round(end_Pa * n / validated_states * per_Pa) / per_Pa);
     }
     std::ranges::sort(pressures_Pa);
     std::erase(pressures_Pa, 0.0);

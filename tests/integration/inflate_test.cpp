@@ -43,7 +43,7 @@ class InflateProgram : public testing::Test {
     io::write_whole(folder_ / "study.toml",
                     "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n"
                     "[material]\nbulk_modulus_Pa = 2.5e6\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n"
-                    "[element]\ndegree = " +
+                    "[elements]\ndegree = " +
                         std::to_string(degree) + "\n[path]\n" + path + "\n" + more);
   }
 
@@ -98,7 +98,7 @@ TEST_F(InflateProgram, WritesCurvesFieldsPicturesResultAndManifest) {
     EXPECT_TRUE(has(std::string("out/") + name)) << name;
   test_support::expect_opens_in_paraview(folder_ / "out");
   if (outcome.out.find("no pictures") == std::string::npos) {
-    for (const char* name : {"chamber.png", "pv_curve.png"})
+    for (const char* name : {"chamber.png", "pv_curve.png", "displacement.png"})
       EXPECT_EQ(io::read_whole(folder_ / "out" / name).substr(1, 3), "PNG") << name;
   }
 }
@@ -161,6 +161,7 @@ TEST_F(InflateProgram, EndedStudyIsShownAndNotComputedAgain) {
   EXPECT_EQ(io::read_whole(folder_ / "out/fields.pvd"), collection);
   EXPECT_EQ(has("out/chamber.png"), draws) << "pictures of the path stay where none are wanted anew";
   EXPECT_EQ(has("out/pv_curve.png"), draws);
+  EXPECT_EQ(has("out/displacement.png"), draws);
 }
 
 TEST_F(InflateProgram, InterruptedRunGoesOnToTheSameBytes) {
@@ -188,7 +189,7 @@ TEST_F(InflateProgram, LeavesALongFactorisationAndGoesOnToTheSameBytes) {
   io::write_whole(folder_ / "thick.toml",
                   "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.008\nelements_through_wall = 11\n"
                   "[material]\nbulk_modulus_Pa = 2.5e6\nlaw = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n"
-                  "[element]\ndegree = 1\n[path]\npressure_Pa = [0, 300]\nfirst_step = 0.5\n"
+                  "[elements]\ndegree = 1\n[path]\npressure_Pa = [0, 300]\nfirst_step = 0.5\n"
                   "[solver]\nlinear = \"direct\"\n[output]\npictures = false\n");
   ASSERT_EQ(run({"thick.toml", "-o", "whole"}).code, 0);
   const ProgramRun program(folder_, MENGER_PROGRAM_DIR "/menger-inflate", {"thick.toml", "-o", "parts"});
@@ -317,7 +318,7 @@ TEST_F(InflateProgram, RefinementComparesMeshes) {
 
 TEST_F(InflateProgram, WarnsOfLawsOutsideTheirRangeAndRefusesWithStrict) {
   const std::string head =
-      "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n[element]\ndegree = 1\n[output]\n"
+      "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n[elements]\ndegree = 1\n[output]\n"
       "fields = false\npictures = false\n[material]\nsilicone = \"dragon_skin_10\"\n[path]\n";
   io::write_whole(folder_ / "vacuum.toml", head + "pressure_Pa = [0, -200]\n");
   const Outcome warned = run({"vacuum.toml", "-o", "out"});
@@ -419,7 +420,7 @@ TEST_F(InflateProgram, BodyThatDoesNotFitIntoMemoryIsRefusedWithTheKeysThatDecid
     const Outcome outcome = ProgramRun(folder_, "/bin/sh", {"-c", limited}).wait();
     EXPECT_EQ(outcome.code, 2) << outcome.err;
     for (const char* words :
-         {"study.toml", "unknowns of", "GB of memory", "element.degree = 2", "design.elements_through_wall = 8"})
+         {"study.toml", "unknowns of", "GB of memory", "elements.degree = 2", "design.elements_through_wall = 8"})
       EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     EXPECT_TRUE(!has("out") || fs::is_empty(folder_ / "out"));
   }

@@ -30,7 +30,7 @@ CUBE = (
     '[design]\nfile = "cube_design.toml"\nwall_thickness_m = 0.004\n'
     '[material]\nbulk_modulus_Pa = 2.5e6\ndensity_kg_per_m3 = 1070\n'
     'law = {name = "neo_hookean", shear_modulus_Pa = 5e4}\n'
-    '[element]\ndegree = 2\n[supports]\nkind = "ground_held"\n'
+    '[elements]\ndegree = 2\n[supports]\nkind = "ground_held"\n'
 )
 
 VOXEL_SEARCH = (

@@ -1,4 +1,9 @@
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <chrono>
@@ -238,6 +243,36 @@ TEST_F(LoadCasesProgram, KeepsFieldsOfCachedCasesOnlyWhenAsked) {
     EXPECT_NE(run(arguments).out.find("from the cache"), std::string::npos);
     EXPECT_EQ(io::read_whole(collection), steps);
   }
+}
+
+// Half of a chamber's pressure is in its thin walls: stresses without it are 1000 Pa off.
+TEST_F(LoadCasesProgram, FieldsOfThinWallsHaveTheStressOfMengerInflate) {
+  const std::string elements = "[elements]\nkind = \"thin_wall\"\nfidelity = \"draft\"\n";
+  io::write_whole(folder_ / "set.toml", "silicone = \"dragon_skin_10\"\n[body]\ncell_edge_m = 0.01\nwall_thickness_m = 0.002\n" +
+                                            elements + cell("inflate", "inflation", "pressures_Pa = [0, 2000]\n"));
+  io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.01\nlayers = [[\"1\"]]\n");
+  io::write_whole(folder_ / "study.toml", elements +
+                                              "[design]\nfile = \"cube.toml\"\nwall_thickness_m = 0.002\n"
+                                              "[material]\nsilicone = \"dragon_skin_10\"\n[supports]\nkind = \"free\"\n"
+                                              "[path]\npressure_Pa = [0, 2000]\nfirst_step = 0.5\nlargest_step = 0.5\n"
+                                              "[output]\npictures = false\n");
+  ASSERT_EQ(run({"set.toml", "-o", "out", "--no-pictures", "--fields"}).code, 0);
+  ASSERT_EQ(ProgramRun(folder_, MENGER_PROGRAM_DIR "/menger-inflate", {"study.toml", "-o", "inflated"}).wait().code, 0);
+  const auto read = [&](vtkXMLUnstructuredGridReader& reader, const std::string& file) {
+    reader.SetFileName((folder_ / file).c_str());
+    reader.Update();
+    return reader.GetOutput();
+  };
+  vtkNew<vtkXMLUnstructuredGridReader> of_case;
+  vtkNew<vtkXMLUnstructuredGridReader> of_inflate;
+  vtkUnstructuredGrid* const here = read(*of_case, "out/fields/inflate/fields/step_0001.vtu");
+  vtkUnstructuredGrid* const there = read(*of_inflate, "inflated/fields/step_0002.vtu");
+  vtkDataArray* const stress = here->GetPointData()->GetArray("cauchy_stress_Pa");
+  vtkDataArray* const expected = there->GetPointData()->GetArray("cauchy_stress_Pa");
+  ASSERT_TRUE(stress != nullptr && expected != nullptr);
+  ASSERT_EQ(here->GetNumberOfPoints(), there->GetNumberOfPoints());
+  for (vtkIdType n = 0; n < here->GetNumberOfPoints(); ++n)
+    for (int c = 0; c < 6; ++c) EXPECT_NEAR(stress->GetComponent(n, c), expected->GetComponent(n, c), 1.0) << n << " " << c;
 }
 
 TEST_F(LoadCasesProgram, KeepsFinishedCasesWhenInterrupted) {

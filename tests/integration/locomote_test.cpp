@@ -192,7 +192,7 @@ TEST_F(LocomoteProgram, RefusesWhatSeveralProcessesCannotShare) {
 }
 
 TEST_F(LocomoteProgram, BodyThatDoesNotFitIntoMemoryIsRefusedWithTheKeysThatDecideIt) {
-  write_study("implicit.toml", "0.05", "[dynamics]\nmethod = \"implicit\"\ndegree = 2\n");
+  write_study("implicit.toml", "0.05", "[elements]\ndegree = 2\n[dynamics]\nmethod = \"implicit\"\n");
   std::string study = io::read_whole(folder_ / "implicit.toml");
   study.insert(study.find("[material]"), "elements_through_wall = 8\n");
   io::write_whole(folder_ / "implicit.toml", study);
@@ -200,7 +200,7 @@ TEST_F(LocomoteProgram, BodyThatDoesNotFitIntoMemoryIsRefusedWithTheKeysThatDeci
   const Outcome outcome = ProgramRun(folder_, "/bin/sh", {"-c", limited}).wait();
   EXPECT_EQ(outcome.code, 2) << outcome.err;
   for (const char* words :
-       {"implicit.toml: ", "unknowns of", "GB of memory", "dynamics.degree = 2", "design.elements_through_wall = 8"})
+       {"implicit.toml: ", "unknowns of", "GB of memory", "elements.degree = 2", "design.elements_through_wall = 8"})
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }

@@ -26,7 +26,7 @@ class ModesProgram : public testing::Test {
                     "[design]\nfile = \"cube_design.toml\"\nwall_thickness_m = 0.004\n"
                     "[material]\nbulk_modulus_Pa = 2.5e6\ndensity_kg_per_m3 = 1070\n"
                     "law = {name = \"neo_hookean\", shear_modulus_Pa = 5e4}\n"
-                    "[element]\ndegree = 1\n[supports]\nkind = \"ground_held\"\n[path]\npressure_Pa = [0, 2000]\n");
+                    "[elements]\ndegree = 1\n[supports]\nkind = \"ground_held\"\n[path]\npressure_Pa = [0, 2000]\n");
   }
 
   [[nodiscard]] Outcome run(std::vector<std::string> arguments) const {
@@ -81,6 +81,23 @@ TEST_F(ModesProgram, RespondsOnThinWallsAsReportedVolumesAndPointsDo) {
   };
   expect_slope("chamber_volume_real_m3_per_Pa", "plenum_0_volume_m3");
   expect_slope("top_centre_z_real_m_per_Pa", "top_centre_displacement_z_m");
+}
+
+// At a limit point ends the study's path, and not the one to a pressure that is asked for instead.
+TEST_F(ModesProgram, ReachesAPressureOfAStudyThatEndsAtItsLimitPoint) {
+  std::string study = io::read_whole(folder_ / "study.toml");
+  study.replace(study.find("pressure_Pa = [0, 2000]"), 23,
+                "volume_ratio = [1, 40]\nend_at_limit_point = true\nfirst_step = 0.005\nlargest_step = 0.01");
+  io::write_whole(folder_ / "limit.toml", study);
+  const Outcome whole = run({"limit.toml", "-o", "whole", "--count", "1", "--no-pictures"});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  EXPECT_EQ(io::read_csv(folder_ / "whole/modes.csv").row_count(), 1U) << "at rest";
+  EXPECT_NE(io::read_whole(folder_ / "whole/result.toml").find("no state beyond has modes"), std::string::npos);
+  const Outcome beyond = run({"limit.toml", "-o", "beyond", "--count", "1", "--no-pictures", "--pressure", "1e6"});
+  EXPECT_EQ(beyond.code, 3) << beyond.out << beyond.err;
+  const Outcome before = run({"limit.toml", "-o", "before", "--count", "1", "--no-pictures", "--pressure", "2000"});
+  EXPECT_EQ(before.code, 0) << before.err;
+  EXPECT_EQ(io::read_csv(folder_ / "before/modes.csv").row_count(), 1U);
 }
 
 // A comparison with nan is false, so a range alone would accept it.

@@ -62,7 +62,7 @@ TEST_F(ImplicitLocomotion, MovesAsExplicitDynamicsDoes) {
 // Frames show the mesh: elements of both degrees have nodes at its points, in their order.
 TEST_F(ImplicitLocomotion, ShowsTheNodesOfTheMesh) {
   for (const char* degree : {"degree = 1\n", "degree = 2\n"}) {
-    const LocomotionStudy study = sample_study(cube_study + implicit + degree);
+    const LocomotionStudy study = sample_study(std::string("[elements]\n") + degree + cube_study + implicit);
     const auto dynamics = make_implicit_locomotion(study, nullptr);
     // Without gravity's and the ground's forces the start is at rest everywhere; after a millisecond the body has fallen a
     // little.
@@ -85,6 +85,28 @@ TEST_F(ImplicitLocomotion, ShowsTheNodesOfTheMesh) {
     }
     EXPECT_GT(largest, 1e-7) << degree;
   }
+}
+
+// An L of Ls has two modules that touch along an edge without a bond: their points coincide, and each goes with its own module.
+TEST_F(ImplicitLocomotion, TellsPointsThatCoincideApart) {
+  const LocomotionStudy study =
+      sample_study(hook + "level = 2\n" + silicone + ground + drive + short_time + no_pictures + implicit);
+  const auto dynamics = make_implicit_locomotion(study, nullptr);
+  ASSERT_EQ(dynamics->advance_to(2e-3).status, io::RunStatus::completed);
+  const std::vector<double> u = dynamics->displacements_m();
+  std::size_t coincident = 0;
+  double furthest_m = 0.0;
+  for (std::size_t a = 0; a < study.mesh.points.size(); ++a) {
+    for (std::size_t b = a + 1; b < study.mesh.points.size(); ++b) {
+      const Point& X = study.mesh.points[a];
+      const Point& Y = study.mesh.points[b];
+      if (std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]) > 1e-9) continue;
+      ++coincident;
+      for (std::size_t i = 0; i < 3; ++i) furthest_m = std::max(furthest_m, std::abs(u[3 * a + i] - u[3 * b + i]));
+    }
+  }
+  EXPECT_GT(coincident, 1U) << "along an edge";
+  EXPECT_GT(furthest_m, 1e-7);
 }
 
 TEST_F(ImplicitLocomotion, GoesOnWhereItWasStoppedAsIfNothingHadHappened) {

@@ -116,7 +116,7 @@ TEST_F(InflationStudyFile, IdentityFollowsThePathAndNotItsOutput) {
   const std::string base = path_text(read({}));
   EXPECT_EQ(path_text(read({.rest = "[output]\npictures = false\nfields_every = 3\n"})), base);
   EXPECT_NE(path_text(read({.path = "[path]\npressure_Pa = [0, 6001]\n"})), base);
-  EXPECT_NE(path_text(read({.rest = "[element]\ndegree = 1\n"})), base);
+  EXPECT_NE(path_text(read({.rest = "[elements]\ndegree = 1\n"})), base);
   EXPECT_NE(path_text(read({.rest = "[supports]\nkind = \"ground_held\"\n"})), base);
   io::write_whole(folder_ / "cube.toml", "name = \"cube\"\ncell_edge_m = 0.021\nlayers = [[\"1\"]]\n");
   EXPECT_NE(path_text(read({})), base) << "another design under the same name";
@@ -207,10 +207,11 @@ struct Fault {
 TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
   const std::string material = StudyText{}.material;
   const std::vector<Fault> faults{
-      {{.rest = "[element]\ndegree = 3\n"}, "element.degree", "3"},
-      {{.rest = "[element]\ndegre = 2\n"}, "element.degre: unknown key", ""},
-      {{.rest = "[element]\nformulation = \"mixed\"\n"}, "element.formulation", "mixed"},
-      {{.rest = "[element]\nrefinements = -1\n"}, "element.refinements", "-1"},
+      {{.rest = "[elements]\ndegree = 3\n"}, "elements.degree", "3"},
+      {{.rest = "[element]\ndegree = 2\n"}, "element.degree = 2", "is called elements.degree now"},
+      {{.rest = "[elements]\ndegre = 2\n"}, "elements.degre: unknown key", ""},
+      {{.rest = "[elements]\nformulation = \"mixed\"\n"}, "elements.formulation", "mixed"},
+      {{.rest = "[elements]\nrefinements = -1\n"}, "elements.refinements", "-1"},
       {{.rest = "[supports]\nkind = \"floating\"\n"}, "supports.kind", "floating"},
       {{.rest = "[supports]\nkind = \"resting\"\n"}, "supports.kind", "resting"},
       {{.rest = "[[supports.labels]]\nlabel = \"outer\"\nheld = [\"w\"]\n"}, "held", "w"},
@@ -263,11 +264,9 @@ TEST_F(InflationStudyFile, RefusesEachFaultNamingFileKeyAndValue) {
       {{.rest = "[elements]\nfidelity = \"fine\"\n"}, "elements.fidelity", "kind = \"thin_wall\""},
       {{.rest = "[elements]\nkind = \"thin_wall\"\nfidelity = \"best\"\n"}, "elements.fidelity", "best"},
       {{.rest = "[elements]\nkind = \"thin_wall\"\nprecision = \"single\"\n"}, "elements.precision", "unknown key"},
-      {{.rest = "[elements]\nkind = \"thin_wall\"\n[element]\ndegree = 2\n"}, "element.degree", "three_field"},
-      {{.rest = "[elements]\nkind = \"thin_wall\"\n[element]\nformulation = \"three_field\"\n"},
-       "element.formulation",
-       "elements.kind"},
-      {{.rest = "[elements]\nkind = \"thin_wall\"\n[element]\nrefinements = 1\n"}, "element.refinements", "elements.kind"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\ndegree = 2\n"}, "elements.degree", "three_field"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\nformulation = \"three_field\"\n"}, "elements.formulation", "three_field"},
+      {{.rest = "[elements]\nkind = \"thin_wall\"\nrefinements = 1\n"}, "elements.refinements", "three_field"},
       {{.rest = "[elements]\nkind = \"thin_wall\"\n[solver]\npredict_pressure = false\n"},
        "solver.predict_pressure",
        "three_field"},

@@ -52,6 +52,7 @@ PathProgress some_progress() {
   progress.restart.next_step = 0.7;
   progress.restart.failed_s = 0.9;
   progress.restart.failed_status = io::RunStatus::inverted_element;
+  progress.restart.failure = "an element turned inside out";
   progress.restart.rejected_steps = 11;
   progress.observations = {{}, {{{1.0, 2.0, 3.0}, 1.5}}};
   progress.extent_changes_m = {std::nullopt, Point{1e-4, -2e-4, 1.0 / 3.0}};
@@ -67,6 +68,7 @@ TEST_F(PathCheckpoint, GivesEveryNumberBack) {
   EXPECT_EQ(read->restart.next_step, written.restart.next_step);
   EXPECT_EQ(read->restart.failed_s, written.restart.failed_s);
   EXPECT_EQ(read->restart.failed_status, written.restart.failed_status);
+  EXPECT_EQ(read->restart.failure, written.restart.failure);
   EXPECT_EQ(read->restart.rejected_steps, written.restart.rejected_steps);
   ASSERT_EQ(read->restart.limit_points.size(), 1U);
   EXPECT_EQ(read->restart.limit_points[0].plenum, 1U);

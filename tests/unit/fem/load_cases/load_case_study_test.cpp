@@ -202,6 +202,8 @@ TEST_F(LoadCaseStudyFile, RefusesWhatIsNoSetWithFileKeyAndValue) {
   has(one(stretch + "pressures_Pa = [0]\npressure_fractions = [0]\ndisplacement_m = [1e-3]\n"), "keep one of them");
   has(one(stretch + "pressure_fractions = [1.5]\ndisplacement_m = [1e-3]\n"), "pressure_fractions[1] = 1.5");
   has(one(stretch + "pressures_Pa = [0]\ndisplacement_m = [-0.03]\n"), "must shorten the body by less than its length");
+  has(one("kind = \"stretch\"\ncells = [3, 1, 1]\ndigits = \"100\"\npressures_Pa = [0]\ndisplacement_m = [-0.015]\n"),
+      "must shorten the body by less than its length");
   has(one(stretch + "wall_thickness_m = 0.005\npressures_Pa = [0]\ndisplacement_m = [1e-3]\n"), "thinner than half a cell");
   has(one("kind = \"inflation\"\n" + bar + "design = \"l.toml\"\n"), "keep one of them");
   const std::string missing = one("kind = \"inflation\"\ndesign = \"missing.toml\"\n");

@@ -233,7 +233,7 @@ TEST(LocomotionStudy, TellsAllPresentNamesAtOnce) {
 
 TEST(LocomotionStudy, ReadsWhatMovesItImplicitly) {
   const std::string implicit = cube_study + "[dynamics]\nmethod = \"implicit\"\n";
-  const LocomotionStudy study = sample_study(implicit + "degree = 2\ntolerance = 1e-4\nlargest_step_s = 1e-3\n");
+  const LocomotionStudy study = sample_study("[elements]\ndegree = 2\n" + implicit + "tolerance = 1e-4\nlargest_step_s = 1e-3\n");
   ASSERT_TRUE(study.implicit);
   EXPECT_EQ(study.implicit->degree, 2);
   EXPECT_EQ(study.implicit->tolerance, 1e-4);
@@ -252,7 +252,9 @@ TEST(LocomotionStudy, RefusesWhatImplicitDynamicsHasNot) {
   expect_refused(cube_study + implicit + "self_contact = true\n", {"study.toml:", "dynamics.self_contact = true"});
   expect_refused(cube_study + implicit + "step_safety = 0.5\n", {"dynamics.step_safety = 0.5", "method = \"explicit\""});
   expect_refused(cube_study + implicit + "threads = 2\n", {"dynamics.threads = 2"});
-  expect_refused(cube_study + implicit + "degree = 3\n", {"dynamics.degree = 3"});
+  expect_refused("[elements]\ndegree = 3\n" + cube_study + implicit, {"elements.degree = 3"});
+  expect_refused("[elements]\ndegree = 2\n" + cube_study, {"elements.degree", "dynamics.method = \"implicit\""});
+  expect_refused(cube_study + implicit + "degree = 2\n", {"dynamics.degree = 2: is called elements.degree now"});
   expect_refused(cube_study + implicit + "tolerance = 0\n", {"dynamics.tolerance = 0"});
   expect_refused(cube_study + "[dynamics]\ntolerance = 1e-4\n", {"dynamics.tolerance = 1e-04", "method = \"implicit\""});
   const std::string piston =

@@ -327,6 +327,7 @@ TEST(InflationPath, IsStoppedBetweenStepsThatAreRejected) {
 
 void expect_same_points(const PathReport& report, const PathReport& whole) {
   EXPECT_EQ(report.status, whole.status);
+  EXPECT_EQ(report.reason, whole.reason);
   ASSERT_EQ(report.points.size(), whole.points.size());
   for (std::size_t n = 0; n < whole.points.size(); ++n) {
     const PathPoint& a = report.points[n];
@@ -360,6 +361,19 @@ TEST(InflationPath, ContinuesAfterAnInterruptionAsIfThereHadBeenNone) {
       SCOPED_TRACE("interrupted after point " + std::to_string(interruption));
       expect_same_points(continued, whole);
     }
+  }
+}
+
+TEST(InflationPath, ContinuesToItsLimitPointWithTheSameReason) {
+  const meshes::HexahedralMesh mesh = sphere();
+  const double limit_Pa = sphere_limit(sphere_modulus_Pa, sphere_outer_m / sphere_inner_m)[0];
+  const PlenumDrive drive = pressure_drive({0.0, 2.0 * limit_Pa});
+  PathRun first(mesh, sphere_body(mesh));
+  const PathReport whole = first.follow(drive, {});
+  ASSERT_EQ(whole.status, io::RunStatus::limit_point) << whole.reason;
+  for (const PathRestart& restart : first.restarts) {
+    PathRun second(mesh, sphere_body(mesh));
+    expect_same_points(second.follow(drive, {}, &restart), whole);
   }
 }
 

@@ -5,7 +5,7 @@
 namespace menger::fem {
 namespace {
 
-/// A point on p = 6000 - 1e18 (V - 3e-6)^2, in Pa and m^3, as that of the second of two plena.
+/// A point on p = 6000 - 1e15 (V - 3e-6)^2, in Pa and m^3, as that of the second of two plena.
 PathPoint on_parabola(double volume_m3) {
   PathPoint point;
   point.pressures_Pa = {0.0, 6000.0 - 1e15 * (volume_m3 - 3e-6) * (volume_m3 - 3e-6)};

@@ -22,7 +22,7 @@ Body neo_hookean_body(Formulation formulation) {
 
 NodalFields fields_of(const Space& space, const Body& body, const std::vector<double>& displacements) {
   Assembly assembly(space, body);
-  return nodal_fields(assembly, displacements);
+  return nodal_fields(assembly, displacements, {});
 }
 
 TEST(NodalFields, OfAHomogeneousDeformationAreItsClosedForm) {

@@ -231,7 +231,7 @@ TEST(ThinWallBody, FieldsHaveThePressureOfTheChambers) {
   BodyState state = equilibrium.rest();
   const PlenumControl control = PressureControl{2000.0};
   ASSERT_EQ(equilibrium.solve(state, {&control, 1}, 1.0).status, io::RunStatus::completed);
-  const NodalFields without = nodal_fields(equilibrium.assembly(), state.displacements_m);
+  const NodalFields without = nodal_fields(equilibrium.assembly(), state.displacements_m, {});
   const NodalFields with = nodal_fields(equilibrium.assembly(), state.displacements_m, state.plenum_pressures_Pa);
   double largest_ratio_error = 0.0;
   double most_pressed = 0.0;

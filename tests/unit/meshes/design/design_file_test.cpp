@@ -161,6 +161,16 @@ TEST(DescribeDesign, TemplateIsReadWithLayersOrDigits) {
                                               {"file"});  // names a file that is not there
 }
 
+TEST(DescribeDesign, LayersBeginAtTheLowestYAndX) {
+  const Polycube body = parse_given("cell_edge_m = 0.01\nlayers = [[\"12\", \"01\"], [\"10\", \"00\"]]\n").design.body;
+  EXPECT_EQ(body.at({0, 0, 0}), 1);
+  EXPECT_EQ(body.at({1, 0, 0}), 2);
+  EXPECT_EQ(body.at({0, 1, 0}), 0);
+  EXPECT_EQ(body.at({1, 1, 0}), 1);
+  EXPECT_EQ(body.at({0, 0, 1}), 1);
+  EXPECT_EQ(body.count(), 4U);
+}
+
 TEST(DescribeDesign, TakesAFileWithCellsOfItsOwnSizeOrAnother) {
   const tests::TestFolder folder;
   write_design(folder / "plus.toml", {"plus", meshes::bar(3), 0.02});

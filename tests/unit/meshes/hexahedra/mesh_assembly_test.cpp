@@ -74,6 +74,29 @@ TEST(MeshAssembly, RefusesChambersThatAreOpenOrInsideOut) {
   EXPECT_TRUE(assembly_refusal(outside).starts_with("a.msh: chamber encloses solid, not air")) << assembly_refusal(outside);
 }
 
+// A ring of eight elements whose ends meet without being merged: all are connected through faces, the other way round.
+TEST(MeshAssembly, RefusesFacesInTheSamePlaceThatShareNoPoints) {
+  NamedHexahedra ring = named(box({3.0, 3.0, 1.0}, {3, 3, 1}));
+  ring.faces.clear();
+  ring.elements.erase(ring.elements.begin() + 4);
+  ring.regions.pop_back();
+  EXPECT_EQ(assembly_refusal(ring), "accepted");
+  for (std::size_t corner : {0U, 2U, 4U, 6U}) {  // of the second element, towards the first
+    std::size_t& at = ring.elements[1][corner];
+    ring.points.push_back(ring.points[at]);
+    at = ring.points.size() - 1;
+  }
+  EXPECT_NE(assembly_refusal(ring).find("two faces lie in the same place"), std::string::npos) << assembly_refusal(ring);
+  ring.label_names = {"slit"};
+  const auto name_side = [&](std::size_t element, std::size_t side) {
+    ring.faces.push_back({face_of_element(ring.elements[element], side), 0});
+  };
+  name_side(0, 1);
+  EXPECT_NE(assembly_refusal(ring), "accepted") << "one side has a name";
+  name_side(1, 0);
+  EXPECT_EQ(assembly_refusal(ring), "accepted") << "both have";
+}
+
 TEST(MeshAssembly, RefusesElementsThatAreReallyInverted) {
   NamedHexahedra input = named(box({1.0, 1.0, 1.0}, {2, 1, 1}));
   // The plane between the two elements is drawn through one of them: numbering cannot repair that.

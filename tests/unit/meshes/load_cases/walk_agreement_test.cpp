@@ -32,8 +32,8 @@ TEST(WalkAgreement, TakesAFewStepsForNoDifferenceInTime) {
 }
 
 TEST(WalkAgreement, TitlesThePictureOfAWalk) {
-  EXPECT_EQ(moved_text("table", 5.0, 0.0142, -0.00031), "table after 5 s: its centre moved by (14.20, -0.31) mm");
-  EXPECT_EQ(moved_text("table", 5.0, -1e-6, 0.0), "table after 5 s: its centre moved by (0.00, 0.00) mm");
+  EXPECT_EQ(moved_text("table", 5.0, 0.0142, -0.00031), "table after 5 s: its centre moved by x = 14.20 mm, y = -0.31 mm");
+  EXPECT_EQ(moved_text("table", 5.0, -1e-6, 0.0), "table after 5 s: its centre moved by x = 0.00 mm, y = 0.00 mm");
 }
 
 }  // namespace

@@ -186,6 +186,7 @@ TEST(RobotStudies, CompareShapesAtThePressuresOfTheDrive) {
   using Values = std::vector<double>;
   EXPECT_EQ(pressures_Pa("[0, 6000]"), (Values{1000, 2000, 3000, 4000, 5000, 6000}));
   EXPECT_EQ(pressures_Pa("[3000, 6000]"), pressures_Pa("[0, 6000]"));
+  EXPECT_EQ(pressures_Pa("[-3, 6000]"), (Values{-3, -2.5, -2, -1.5, -1, -0.5, 1000, 2000, 3000, 4000, 5000, 6000}));
   EXPECT_EQ(pressures_Pa("[-300, 6000]"), (Values{-300, -250, -200, -150, -100, -50, 1000, 2000, 3000, 4000, 5000, 6000}));
 }
 
