@@ -34,7 +34,7 @@ constexpr const char* example =
     "Example:\n"
     "  for model in voxels elements; do\n"
     "    menger export $model.sqlite -o $model --levels 1\n"
-    "    menger reevaluate $model.sqlite --top 16 -o $model\n"
+    "    menger reevaluate $model.sqlite --top 16 -o $model/reevaluated\n"
     "  done\n"
     "  menger compare-searches voxels elements -o comparison\n"
     "writes comparison.csv, comparison.png and summary.txt.\n"

@@ -164,7 +164,8 @@ int confirm_robots(const Arguments& arguments) {
   // The archive itself has changed: it holds these walks now.
   io::note_input(manifest.inputs, arguments.archive.string() + " (study)", archive.study());
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
-  io::write_manifest_file(fs::path(arguments.table).replace_extension(".manifest.json"), manifest);
+  // With the whole name of the table: a search may have run.manifest.json beside run.csv.
+  io::write_manifest_file(fs::path(arguments.table) += ".manifest.json", manifest);
   std::cout << robots.size() << (robots.size() == 1 ? " robot: " : " robots: ") << arguments.table.string() << std::endl;
   return io::exit_code::done;
 }

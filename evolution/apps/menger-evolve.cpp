@@ -14,9 +14,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "evolution/archive/archive_files.h"
 #include "evolution/archive/run_archive.h"
 #include "evolution/ranks/rank_workers.h"
 #include "evolution/report/confirmation.h"
@@ -365,12 +367,20 @@ int evaluate_for_first_rank(const Arguments& arguments, io::RankSession& ranks) 
   return search ? io::exit_code::done : io::exit_code::bad_input;
 }
 
-/// Returns the table of robots on finer elements. It and the manifest are named after the archive, because several runs may share
-/// a folder.
-fs::path confirmation_file(const Arguments& arguments) { return fs::path(arguments.archive).replace_extension(".confirmed.csv"); }
+/// Returns the table of robots on finer elements.
+fs::path confirmation_file(const Arguments& arguments) { return beside_archive(arguments.archive, ".confirmed.csv"); }
+
+fs::path manifest_file(const Arguments& arguments) { return beside_archive(arguments.archive, ".manifest.json"); }
 
 void write_manifest(const Arguments& arguments, const io::Manifest& manifest) {
-  io::write_manifest_file(fs::path(arguments.archive).replace_extension(".manifest.json"), manifest);
+  io::write_manifest_file(manifest_file(arguments), manifest);
+}
+
+/// Whether there is an archive that a search can go on from.
+bool has_archive(const Arguments& arguments) {
+  std::error_code error;
+  const auto size = fs::file_size(arguments.archive, error);
+  return !error && size > 0;
 }
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -465,7 +475,12 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
   const std::optional<VoxelErrors> errors = voxel_errors(study, arguments.study);
   if (errors) manifest.notes = errors->text;
   if (errors && errors->table) io::note_input(manifest.inputs, *errors->table);
+  const bool has_earlier_calls = has_archive(arguments);
   RunArchive archive = RunArchive::open(arguments.archive, identity_text(study), study.search.generations);
+  if (has_earlier_calls)
+    manifest.seconds = io::seconds_of_manifest(manifest_file(arguments), manifest.program);
+  else
+    io::remove_if_there(manifest_file(arguments));  // of another archive of this name
   set_scenarios(archive, study, evaluator);
   const RunView run = view_of(archive, study);
 
@@ -481,7 +496,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
               << study.search.generations << (study.budget ? " or the end of the budget" : "") << ", on "
               << shown_threads(search.threads, team, ranks) << "\n";
   }
-  std::cout << summary_header(run) << std::endl;
+  std::cout << summary_legend(run) << '\n' << summary_header(run) << std::endl;
   if (last) print_history(run, *last);
 
   io::RunStatus status = io::RunStatus::completed;
@@ -512,7 +527,7 @@ int evolve(const Arguments& arguments, io::RankSession& ranks) {
     tell = [](const std::string& text) { std::cout << "note: " << text << std::endl; };
     if (status == io::RunStatus::stopped) io::come_to_stop();
     if (ranks.count() > 1) tell(team->shares());
-    manifest.seconds = seconds_since(start);
+    manifest.seconds += seconds_since(start);
     write_manifest(arguments, manifest);
   }
   if (status == io::RunStatus::completed) status = confirm_best(arguments, search, archive, others, manifest);

@@ -670,20 +670,6 @@ std::vector<SearchEvent> RunArchive::events() const {
   });
 }
 
-std::vector<EvaluationSteps> RunArchive::evaluation_steps() const {
-  return database_->read([](const SQLite::Database& connection) {
-    SQLite::Statement row(connection,
-                          "SELECT design_hash, level, steps FROM evaluation ORDER BY design_hash, level, physics_hash");
-    std::vector<EvaluationSteps> all;
-    while (row.executeStep()) {
-      all.push_back({.design_hash = row.getColumn("design_hash").getString(),
-                     .level = row.getColumn("level").getInt(),
-                     .steps = count_in(row.getColumn("steps"))});
-    }
-    return all;
-  });
-}
-
 std::uint64_t RunArchive::evaluations_outside_validity(int generation, const std::string& physics_hash) const {
   return database_->read([&](const SQLite::Database& connection) {
     SQLite::Statement row(connection,

@@ -37,13 +37,6 @@ struct ArchivedEvaluation {
   Evaluation result;
 };
 
-/// The number of time steps of an evaluation.
-struct EvaluationSteps {
-  std::string design_hash;
-  int level = 1;
-  std::uint64_t steps = 0;
-};
-
 /// An individual at its birth.
 struct Individual {
   std::uint64_t id = 0;
@@ -181,8 +174,6 @@ class RunArchive {
   /// Returns a result, or none. An archive of an earlier version has another text and hash of the physics, but results of one
   /// physics only. There the design and the level decide.
   [[nodiscard]] std::optional<ArchivedEvaluation> evaluation(const EvaluationKey& asked) const;
-
-  [[nodiscard]] std::vector<EvaluationSteps> evaluation_steps() const;  ///< of all evaluations, by design, level and physics
 
   /// Returns how many of the results of one physics that a generation asked for first are outside of the range of validity of
   /// their model. See evaluation() for archives of an earlier version.

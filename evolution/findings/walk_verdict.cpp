@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "evolution/findings/found_walk.h"
 #include "evolution/findings/result_files.h"
@@ -54,9 +55,15 @@ bool is_mirror_image(const meshes::Robot& robot, bool is_across_x) {
   const auto same = [&](std::uint8_t a, std::uint8_t b) {
     return has_phases ? a == b : (a == meshes::empty) == (b == meshes::empty);
   };
-  for (const meshes::CellIndex& cell : body.occupied()) {
-    const meshes::CellIndex mirrored{is_across_x ? body.nx() - 1 - cell.x : cell.x, is_across_x ? cell.y : body.ny() - 1 - cell.y,
-                                     cell.z};
+  const std::vector<meshes::CellIndex> cells = body.occupied();
+  if (cells.empty()) return true;
+  // About the middle of the body, which may be in a part of its grid.
+  int meshes::CellIndex::*const along = is_across_x ? &meshes::CellIndex::x : &meshes::CellIndex::y;
+  const auto [first, last] = std::ranges::minmax(cells, {}, along);
+  const int ends = first.*along + last.*along;
+  for (const meshes::CellIndex& cell : cells) {
+    meshes::CellIndex mirrored = cell;
+    mirrored.*along = ends - cell.*along;
     if (!same(body.at_or_empty(cell), body.at_or_empty(mirrored))) return false;
   }
   return true;

@@ -34,17 +34,18 @@ std::string refusals_text(const std::map<Refusal, std::size_t>& refusals) {
 
 Offspring random_offspring(const OffspringOptions& options, RandomStream& random) {
   std::map<Refusal, std::size_t> refusals;
+  bool has_arrangements = false;
   for (std::size_t draws = 1; draws <= options.largest_draws; ++draws) {
     Genome genome = random_genome(options.decoder.plan, options.variation, random);
     Phenotype phenotype = decode(genome, options.decoder);
+    has_arrangements = phenotype.has_arrangements();
     const std::optional<Refusal> reason = refusal(phenotype, options.constraints);
     if (!reason) return {std::move(genome), std::move(phenotype), draws};
     ++refusals[*reason];
   }
-  const bool is_fractal = options.decoder.plan == BodyPlan::fractal;
   const std::string smallest =
-      is_fractal ? "smallest_body_cells = " + std::to_string(options.constraints.smallest_body)
-                 : "smallest_arranged_body_cells = " + std::to_string(options.constraints.smallest_arranged_body);
+      has_arrangements ? "smallest_arranged_body_cells = " + std::to_string(options.constraints.smallest_arranged_body)
+                       : "smallest_body_cells = " + std::to_string(options.constraints.smallest_body);
   throw io::InputError("the constraints of the study cannot be met: none of " + std::to_string(options.largest_draws) +
                        " random bodies was valid (" + refusals_text(refusals) + "; " + smallest +
                        ", largest_body_cells = " + std::to_string(options.constraints.largest_body) + ", disconnected = \"" +

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -26,6 +28,7 @@
 #include "io/process/file_lock.h"
 #include "io/process/interrupt.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
 #include "io/process/told_progress.h"
 #include "io/shown/shown_quantity.h"
 #include "io/study/study_text.h"
@@ -111,6 +114,8 @@ class LoopRun {
   }
 
   int write_studies() {
+    io::require_writable_folder(places_.results);
+    const io::FileLock lock(places_.results / "loop");
     state_.emplace(places_.results / loop_state_name);
     refuse_other_robot();
     meshes::take_champion(robot_, places_);
@@ -139,6 +144,7 @@ class LoopRun {
 
   int run() {
     refuse_other_results();
+    io::refuse_results_of_another(places_.results, "menger-loop");
     io::require_writable_folder(places_.results);  // first: people named this one
     io::require_writable_folder(places_.results / "logs");
     const io::FileLock lock(places_.results / "loop");
@@ -370,10 +376,10 @@ class LoopRun {
     io::ChildOutcome outcome = start(stage, n, arguments, expected_s);
     // A program also refuses a lock or a full disk: only results of another study make way.
     const bool makes_way = outcome.exit_code == io::exit_code::bad_input && stage.is_set_aside && record.takes_over;
-    if (const std::optional<fs::path> aside = makes_way ? set_aside(stage) : std::nullopt) {
+    if (const std::optional<fs::path> aside = makes_way ? set_aside(stage, n) : std::nullopt) {
       outcome = start(stage, n, arguments, expected_s);
       if (outcome.exit_code == io::exit_code::bad_input) {
-        put_back(stage, *aside);
+        put_back(stage, n, *aside);
       } else {
         record.takes_over = false;
         begin_line(n);
@@ -481,25 +487,57 @@ class LoopRun {
     out_ << std::flush;
   }
 
-  /// Moves the folder of a stage to earlier/, so that another study can take its place. @return where it is; empty if there was
-  /// none
-  std::optional<fs::path> set_aside(const LoopStage& stage) const {
+  /// The file that the program of a stage writes to, and locks.
+  [[nodiscard]] fs::path output_of(const LoopStage& stage) const {
+    const auto option = std::ranges::find(stage.arguments, "-o");
+    assert(stage.arguments.end() - option > 1);
+    return from_results(*std::next(option));
+  }
+
+  /// Returns the lock of the archive in the folder of a stage; nothing, and says so, if another process writes to it: a search
+  /// that was started by hand.
+  std::optional<io::FileLock> lock_of_archive(const LoopStage& stage, std::size_t n) {
+    const fs::path archive = output_of(stage);
+    std::string reason = "is in use by another process";
+    try {
+      if (std::optional<io::FileLock> lock = io::FileLock::if_free(archive)) return lock;
+    } catch (const io::InputError&) {  // such as an archive of two names: whether anything writes to it is not known
+      reason = "cannot be locked";
+    }
+    begin_line(n);
+    out_ << "(the archive " << shown(archive) << ' ' << reason << ": its folder stays where it is) ";
+    return std::nullopt;
+  }
+
+  /// Moves the folder of a stage to earlier/, so that another study can take its place. A folder with an archive that is in use
+  /// stays. @return where it is; empty if there was none, or it stays
+  std::optional<fs::path> set_aside(const LoopStage& stage, std::size_t n) {
     const fs::path folder = places_.results / stage.name;
     std::error_code error;
     if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return std::nullopt;
+    const std::optional<io::FileLock> lock = lock_of_archive(stage, n);
+    if (!lock) return std::nullopt;
     fs::path aside;
     for (int number = 1; aside.empty() || fs::exists(aside, error); ++number)
       aside = places_.results / set_aside_folder / (stage.name + "_" + std::to_string(number));
     fs::create_directories(aside.parent_path(), error);
     fs::rename(folder, aside, error);
     if (error) throw io::InputError(folder.string() + ": cannot be moved to " + aside.string() + ": " + error.message());
+    // The lock does not find its file by its new name.
+    fs::remove(aside / (output_of(stage).filename().string() + ".lock"), error);
     return aside;
   }
 
-  /// Moves what set_aside() moved back, in place of what a refused start left.
-  void put_back(const LoopStage& stage, const fs::path& aside) const {
+  /// Moves what set_aside() moved back, in place of what a refused start left. It stays where another search has begun meanwhile.
+  void put_back(const LoopStage& stage, std::size_t n, const fs::path& aside) {
     const fs::path folder = places_.results / stage.name;
     std::error_code error;
+    const bool is_there = fs::is_directory(folder, error);
+    const std::optional<io::FileLock> lock = is_there ? lock_of_archive(stage, n) : std::nullopt;
+    if (is_there && !lock) {
+      out_ << "(its earlier results are now in " << shown(aside) << ") ";
+      return;
+    }
     fs::remove_all(folder, error);
     fs::rename(aside, folder, error);
     if (error) throw io::InputError(aside.string() + ": cannot be moved back to " + folder.string() + ": " + error.message());

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "evolution/archive/archive_files.h"
 #include "evolution/archive/run_archive.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/study_view.h"
@@ -17,12 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The archive beside its manifest: run.sqlite beside run.manifest.json.
-fs::path archive_of(const CommandOutput& evolved) {
-  constexpr std::string_view ending = ".manifest.json";
-  const std::string name = evolved.manifest.filename().string();
-  return evolved.folder / (name.substr(0, name.size() - std::min(name.size(), ending.size())) + ".sqlite");
-}
+fs::path archive_of(const CommandOutput& evolved) { return archive_beside(evolved.manifest, ".manifest.json"); }
 
 std::optional<io::CsvContents> exported_lineage(const CommandOutput& exported) {
   const fs::path lineage = exported.folder / "lineage.csv";

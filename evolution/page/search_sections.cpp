@@ -202,10 +202,10 @@ void add_reevaluation(const CommandOutput& output, PageSection& section) {
 }
 
 void add_confirmation(const CommandOutput& output, PageSection& section) {
-  // The table lies beside its manifest: scores.csv beside scores.manifest.json.
+  // The table lies beside its manifest: scores.csv beside scores.csv.manifest.json, earlier beside scores.manifest.json.
   const std::string name = output.manifest.filename().string();
-  const std::string table =
-      name.substr(0, name.size() - std::min(name.size(), std::string_view(".manifest.json").size())) + ".csv";
+  std::string table = name.substr(0, name.size() - std::min(name.size(), std::string_view(".manifest.json").size()));
+  if (!has_file(output, table.c_str())) table += ".csv";
   const io::CsvContents scores = io::read_csv(output.folder / table);
   section.tables.push_back(
       shown_table("Robots as another study lets them walk", scores, scores.columns(), file_of(output, table)));

@@ -6,6 +6,7 @@
 
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
+#include "io/text/is_file.h"
 
 namespace menger::evolution {
 namespace {
@@ -15,7 +16,8 @@ namespace fs = std::filesystem;
 constexpr std::array models{EvaluationModel::voxels, EvaluationModel::finite_elements, EvaluationModel::both};
 
 void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& search) {
-  const io::CsvContents table = io::read_csv(folder / "reevaluation.csv");
+  const fs::path own = folder / "reevaluated/reevaluation.csv";
+  const io::CsvContents table = io::read_csv(io::is_file(own) ? own : folder / "reevaluation.csv");
   double spent = search.voxel_steps + rate * search.element_steps;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     ComparedRobot robot{.body_lengths = table.optional_number(row, "elements_body_lengths"),

@@ -42,7 +42,8 @@ struct ComparisonOptions {
   double budget_element_steps = std::numeric_limits<double>::infinity();
 };
 
-/// Reads the folder of a search. It has costs.csv (from menger export) and reevaluation.csv (from menger reevaluate).
+/// Reads the folder of a search. It has costs.csv (from menger export) and reevaluation.csv (from menger reevaluate), the latter
+/// in a folder `reevaluated` of its own, so that each command keeps its manifest, or beside the former.
 /// @throws io::InputError if a table is missing, damaged or not in body lengths
 ComparedSearch read_compared_search(const std::filesystem::path& folder, const ComparisonOptions& options);
 

@@ -34,6 +34,7 @@ SurrogateWalk walk_on_elements(const ReevaluationStudy& study, const meshes::Pol
   Study search = study.search;
   search.duration_s = study.duration_s;
   search.measure_from_s = study.measure_from_s;
+  search.largest_lean_deg = 180.0;  // a fallen robot keeps its displacement, as on finer elements
   const auto start = std::chrono::steady_clock::now();
   const fem::WalkResult walked = fem::walk(walk_of(search, body, study.level), stop);
   SurrogateWalk walk;

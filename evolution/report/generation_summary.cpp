@@ -181,10 +181,27 @@ io::CsvTable lineage_table(const RunView& run, std::uint64_t id) {
   return table;
 }
 
+std::string summary_legend(const RunView& run) {
+  const std::vector<int> levels = run.plan.levels();
+  const bool has_one = levels.size() == 1;
+  std::string displacements;
+  for (const int level : levels) displacements.append(displacements.empty() ? "d" : ", d").append(std::to_string(level));
+  std::string units = "BL body lengths";
+  if (run.plan.objective != Objective::body_lengths) units += ", m2 squared displacement over the cells per side";
+  if (run.is_per_period) units += ", T a period of the drive";
+  return "gen: generation; F: fitness of the fittest survivor; " + displacements + ": its displacement at " +
+         (has_one ? "this level" : "these levels") + " (" + units +
+         "); H: its Hausdorff dimension; age: generations since its first ancestor was drawn at random; mean F: of all "
+         "survivors; "
+         "evals, cached, pruned: evaluations made, known before, not needed; time: of the generation, and what is left";
+}
+
 std::string summary_header(const RunView& run) {
+  const std::string per_period = run.is_per_period ? "/T]" : "]";
   std::ostringstream line;
-  line << std::setw(4) << "gen" << std::setw(12) << (run.plan.objective == Objective::body_lengths ? "F [BL]" : "F [m2]");
-  for (const int level : run.plan.levels()) line << std::setw(6) << 'd' << level << " [BL]";
+  line << std::setw(4) << "gen" << std::setw(12)
+       << (run.plan.objective == Objective::body_lengths ? "F [BL" : "F [m2") + per_period;
+  for (const int level : run.plan.levels()) line << std::setw(12) << "d" + std::to_string(level) + " [BL" + per_period;
   line << std::setw(7) << "H" << std::setw(5) << "age" << std::setw(11) << "mean F";
   for (const char* count : {"evals", "cached", "pruned"}) line << std::setw(7) << count;
   line << "  time";

@@ -47,6 +47,7 @@ struct RunView {
   std::string half_step_physics{};              ///< the same of the evaluator with half the time step
   std::size_t voxels_per_cell = 1;              ///< voxels of a whole cell, for costs
   bool has_elements = false;                    ///< whether finite elements evaluate the bodies instead of voxels
+  bool is_per_period = false;                   ///< whether a displacement is that in one period of the drive
 
   /// Returns the hashes of the physics of all scenarios.
   [[nodiscard]] std::vector<std::string> physics_hashes() const;
@@ -88,5 +89,8 @@ std::string summary_line(const RunView& run, const GenerationSummary& summary, s
 
 /// Returns the heading of the lines of summary_line.
 std::string summary_header(const RunView& run);
+
+/// Returns a line that says what the columns of these lines mean.
+std::string summary_legend(const RunView& run);
 
 }  // namespace menger::evolution

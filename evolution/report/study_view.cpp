@@ -88,7 +88,8 @@ RunView view_of(const RunArchive& archive, const Study& study) {
           .screening_physics = study.search.screening ? screening_evaluator_of(study)->physics() : "",
           .half_step_physics = half_step_evaluator_of(study)->physics(),
           .voxels_per_cell = voxels_in_cell(study),
-          .has_elements = uses_elements(study)};
+          .has_elements = uses_elements(study),
+          .is_per_period = study.measure == Measure::last_periods};
 }
 
 }  // namespace menger::evolution

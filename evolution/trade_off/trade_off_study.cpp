@@ -23,10 +23,11 @@ const io::Words<TradeObservable> observable_words{{"volume_change", TradeObserva
                                                   {"extent_y", TradeObservable::extent_y},
                                                   {"extent_z", TradeObservable::extent_z}};
 
-/// Adds a scene or study, and the voxel parameters that it names, to the inputs.
+/// Adds a scene or study, and the voxel parameters and the silicone that it names, to the inputs.
 void note_variant(TradeStudy& study, const fs::path& file) {
   io::note_input(study.inputs, file);
-  if (const auto parameters = TomlVariant(file).parameters()) io::note_input(study.inputs, *parameters);
+  const TomlVariant variant(file);
+  for (const auto& [copy, path] : variant.files()) io::note_input(study.inputs, path);
 }
 
 const io::Words<std::string> number_words{{"float64", "float64"}, {"float32", "float32"}};

@@ -2,21 +2,34 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <cassert>
 #include <sstream>
 
 #include "evolution/trade_off/trade_off_voxels.h"
 #include "io/process/program_job.h"
+#include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
 #include "io/text/toml_checks.h"
+#include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 
 namespace menger::evolution {
 namespace {
 
-void make_absolute(toml::node_view<toml::node> name, const std::filesystem::path& folder) {
-  auto* const text = name.as_string();
-  if (text != nullptr) *text = std::filesystem::absolute(folder / text->get()).lexically_normal().string();
+/// A key that names a file, or data that come with menger.
+struct FileKey {
+  const char* table;
+  const char* key;
+  std::string_view data;  ///< name of the folder of such data
+  const char* copy;       ///< name of the copy that a job gets
+};
+
+constexpr std::array file_keys{FileKey{"surrogate", "parameters", io::parameter_data, "parameters.toml"},
+                               FileKey{"material", "silicone", io::silicone_data, "silicone.toml"}};
+
+void set_file(toml::node_view<toml::node> name, const std::filesystem::path& file) {
+  if (auto* const text = name.as_string()) *text = std::filesystem::absolute(file).lexically_normal().string();
 }
 
 }  // namespace
@@ -38,8 +51,15 @@ TomlVariant::TomlVariant(const std::filesystem::path& file) : content_(std::make
     throw io::InputError(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
                          std::string(error.description()));
   }
-  make_absolute(content_->top["design"]["file"], file.parent_path());
-  make_absolute(content_->top["surrogate"]["parameters"], file.parent_path());
+  const io::TomlTable top = io::parse_toml(text, file);
+  const auto names_file = [&](const char* table, const char* key) {
+    return top.is_table(table) && top.table(table).is_text(key);
+  };
+  if (names_file("design", "file")) set_file(content_->top["design"]["file"], top.table("design").path("file"));
+  for (const FileKey& named : file_keys) {
+    if (!names_file(named.table, named.key)) continue;
+    set_file(content_->top[named.table][named.key], io::file_or_data(top.table(named.table), named.key, named.data));
+  }
 }
 
 TomlVariant::~TomlVariant() = default;
@@ -64,8 +84,12 @@ void TomlVariant::set(const std::vector<std::string_view>& path, bool value) { p
 
 void TomlVariant::remove(std::string_view name) { content_->top.erase(name); }
 
-std::optional<std::filesystem::path> TomlVariant::parameters() const {
-  return content_->top["surrogate"]["parameters"].value<std::string>();
+std::map<std::string, std::filesystem::path> TomlVariant::files() const {
+  std::map<std::string, std::filesystem::path> files;
+  for (const FileKey& named : file_keys) {
+    if (const auto file = content_->top[named.table][named.key].value<std::string>()) files.emplace(named.copy, *file);
+  }
+  return files;
 }
 
 std::string TomlVariant::text() const {
@@ -86,10 +110,12 @@ void set_integration(TomlVariant& variant, const VoxelFidelity& fidelity) {
 }
 
 void add_input(io::ProgramJob& job, const std::string& name, TomlVariant variant) {
-  constexpr const char* copy = "parameters.toml";
-  if (const auto parameters = variant.parameters()) {
-    job.inputs[copy] = io::read_whole(*parameters);
-    variant.set({"surrogate", "parameters"}, copy);
+  const std::map<std::string, std::filesystem::path> files = variant.files();
+  for (const FileKey& named : file_keys) {
+    const auto file = files.find(named.copy);
+    if (file == files.end()) continue;
+    job.inputs[named.copy] = io::read_whole(file->second);
+    variant.set({named.table, named.key}, named.copy);
   }
   job.inputs[name] = variant.text();
 }

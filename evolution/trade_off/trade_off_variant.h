@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,11 +16,12 @@ namespace menger::evolution {
 struct VoxelFidelity;
 
 /// A TOML file of the user with some keys changed: a scene or study at another fidelity. File names in it (`design.file`,
-/// `surrogate.parameters`) become absolute, so that the text can be in any folder.
+/// `surrogate.parameters`, `material.silicone`) become absolute, also those that stand for files of menger, so that the text can
+/// be in any folder.
 class TomlVariant {
  public:
   TomlVariant();  ///< begins with an empty file
-  /// @throws io::InputError if the file cannot be read or is not TOML
+  /// @throws io::InputError if the file cannot be read or is not TOML, or names parameters or a silicone that there are not
   explicit TomlVariant(const std::filesystem::path& file);
   ~TomlVariant();
   TomlVariant(const TomlVariant&) = delete;
@@ -39,8 +40,9 @@ class TomlVariant {
   /// Removes a table or key at the top level, if there is one.
   void remove(std::string_view name);
 
-  /// Returns the absolute path of the file that `surrogate.parameters` names, if there is one.
-  [[nodiscard]] std::optional<std::filesystem::path> parameters() const;
+  /// Returns the absolute paths of the files that decide results and that jobs get copies of, by the names of those copies:
+  /// "parameters.toml" of `surrogate.parameters`, "silicone.toml" of `material.silicone`. Those that the text names.
+  [[nodiscard]] std::map<std::string, std::filesystem::path> files() const;
 
   [[nodiscard]] std::string text() const;
 
@@ -55,8 +57,8 @@ class TomlVariant {
 /// Sets the tables [collisions] and [integration] to a fidelity.
 void set_integration(TomlVariant& variant, const VoxelFidelity& fidelity);
 
-/// Adds the text to a job as its input `name`, with a copy of the voxel parameters that the text names. The content of the
-/// parameters is part of the job's hash. @throws io::InputError if they cannot be read
+/// Adds the text to a job as its input `name`, with copies of the voxel parameters and of the silicone that the text names. Their
+/// content is part of the job's hash. @throws io::InputError if they cannot be read
 void add_input(io::ProgramJob& job, const std::string& name, TomlVariant variant);
 
 }  // namespace menger::evolution

@@ -16,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "io/process/exit_code.h"
 #include "io/text/input_error.h"
 
 namespace menger::io {
@@ -151,6 +152,9 @@ ChildOutcome run_child(const ChildProgram& child) {
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
   if (!asked && WIFSIGNALED(status)) outcome.end = ChildEnd::signalled;
+  // A child whose time was up may have ended by itself just then; one that stops because it was asked to has another exit code.
+  const bool has_result = outcome.exit_code == exit_code::done || outcome.exit_code == exit_code::numerical;
+  if (outcome.end == ChildEnd::timed_out && !forced && has_result) outcome.end = ChildEnd::exited;
   return outcome;
 }
 

@@ -27,7 +27,7 @@ struct ChildProgram {
 enum class ChildEnd {
   exited,     ///< it ended by itself, with an exit code
   signalled,  ///< a signal ended it that this program did not send
-  timed_out,  ///< it exceeded its time limit
+  timed_out,  ///< it exceeded its time limit, and gave no result (exit code done or numerical) when it was asked to end
   stopped     ///< the user asked to stop
 };
 

@@ -79,8 +79,9 @@ FileLock::FileLock(FileLock&& other) noexcept
 
 FileLock::~FileLock() {
   if (descriptor_ < 0) return;
+  // While the lock is held, and only what is locked: a folder that was renamed may have made way for the file of another holder.
   std::error_code ignored;
-  std::filesystem::remove(file_, ignored);  // while the lock is held, so that the file of another holder is never removed
+  if (is_file(descriptor_, file_)) std::filesystem::remove(file_, ignored);
   ::close(descriptor_);
 }
 

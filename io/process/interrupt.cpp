@@ -33,8 +33,13 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only
 
 sem_t interrupt_came;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): the one way to wake a thread from a handler
 
-extern "C" void note_interrupt(int /*signal*/) {
-  interrupt_flag.store(true);
+/// Notes the first signal of either kind. The second has its default action, which ends the program once the handler returns.
+extern "C" void note_interrupt(int signal) {
+  if (interrupt_flag.exchange(true)) {
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+    return;
+  }
   sem_post(&interrupt_came);
 }
 
@@ -94,7 +99,7 @@ void start_catching() {
   start_watching();
   struct sigaction action {};
   action.sa_handler = note_interrupt;  // NOLINT(cppcoreguidelines-pro-type-union-access): the interface of POSIX
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second signal has the default action and ends the program
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

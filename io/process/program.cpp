@@ -13,7 +13,9 @@
 #include "io/process/interrupt.h"
 #include "io/process/plain_output.h"
 #include "io/process/standard_streams.h"
+#include "io/process/study_command.h"
 #include "io/text/input_error.h"
+#include "io/text/joined_text.h"
 #include "io/text/near_miss.h"
 #include "io/text/version.h"
 
@@ -35,9 +37,22 @@ std::string meant_option(const CLI::App& app, int argc, const char* const* argv)
 }
 
 /// The arguments of the program as its user wrote them, for a message that knows nothing else of the input.
-std::string& given_arguments() {
-  static std::string arguments;
+std::vector<std::string>& given_arguments() {
+  static std::vector<std::string> arguments;
   return arguments;
+}
+
+/// Returns the beginning of the message about wrong input, if a file that the program was given looks like the study of another
+/// command: "ch.toml: looks like a study of menger inflate: menger inflate ch.toml runs it. As a study of menger simulate: ".
+std::string hint_at_other_command(std::string_view program) {
+  for (const std::string& argument : given_arguments()) {
+    if (const std::string command = command_of_study(argument, program); !command.empty()) {
+      const std::string own = "menger " + std::string(program.substr(std::string_view("menger-").size()));
+      return argument + ": looks like a study of menger " + command + ": menger " + command + " " + argument +
+             " runs it. As a study of " + own + ": ";
+    }
+  }
+  return {};
 }
 
 int guarded(std::string_view name, const std::function<int()>& body) {
@@ -45,15 +60,15 @@ int guarded(std::string_view name, const std::function<int()>& body) {
   try {
     return body();
   } catch (const InputError& error) {
-    std::cerr << name << ": error: " << error.what() << '\n';
+    std::cerr << name << ": error: " << hint_at_other_command(name) << error.what() << '\n';
     return exit_code::bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
     // For example a name that is too long or a folder without permission. The error names the path.
     std::cerr << name << ": error: " << error.what() << '\n';
     return exit_code::bad_input;
   } catch (const std::bad_alloc&) {
-    std::cerr << name << ": error: not enough memory for " << (given_arguments().empty() ? "this input" : given_arguments())
-              << '\n';
+    std::cerr << name << ": error: not enough memory for "
+              << (given_arguments().empty() ? "this input" : joined(given_arguments(), " ")) << '\n';
     return exit_code::bad_input;
   } catch (const std::exception& error) {
     std::cerr << name << ": internal error: " << error.what() << '\n';
@@ -77,8 +92,7 @@ int run_program(std::string_view name, const std::function<int()>& body) {
 
 std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv) {
   if (app.get_version_ptr() == nullptr) app.set_version_flag("--version", std::string(version()), "Print the version and exit");
-  given_arguments().clear();
-  for (int n = 1; n < argc; ++n) given_arguments().append(n > 1 ? " " : "").append(argv[n]);
+  given_arguments().assign(argv + std::min(argc, 1), argv + argc);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/process/exit_code.h"
+#include "io/text/input_error.h"
 #include "io/text/manifest.h"
 #include "io/text/whole_file.h"
 
@@ -12,10 +13,24 @@ namespace {
 
 constexpr const char* manifest_name = "manifest.json";
 
+/// "menger simulate" of menger-simulate.
+std::string command_of(std::string program) {
+  if (program.starts_with("menger-")) program[std::string_view("menger").size()] = ' ';
+  return program;
+}
+
 }  // namespace
 
+void refuse_results_of_another(const std::filesystem::path& folder, const std::string& program) {
+  const std::string other = program_of_manifest(folder / manifest_name);
+  if (other.empty() || other == program) return;
+  throw InputError(folder.string() + ": holds results of " + command_of(other) + ": choose another folder with -o");
+}
+
 RunFolder::RunFolder(std::string program, std::filesystem::path folder)
-    : program_(std::move(program)), folder_(std::move(folder)), start_(std::chrono::steady_clock::now()) {}
+    : program_(std::move(program)), folder_(std::move(folder)), start_(std::chrono::steady_clock::now()) {
+  refuse_results_of_another(folder_, program_);
+}
 
 bool RunFolder::is_own() const { return program_of_manifest(file(manifest_name)) == program_; }
 

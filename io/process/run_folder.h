@@ -14,6 +14,12 @@
 
 namespace menger::io {
 
+/// Refuses a folder with results of another program: names such as result.toml would be replaced, others would stay, and both
+/// would pass for one result.
+/// @throws InputError "walker: holds results of menger simulate: choose another folder with -o" if the manifest there is
+/// another's
+void refuse_results_of_another(const std::filesystem::path& folder, const std::string& program);
+
 /// The folder that a program writes the results of a run into.
 ///
 /// A run begins by removing what an earlier one left there, so that no file of the earlier run passes for one of this run, also
@@ -21,7 +27,8 @@ namespace menger::io {
 /// otherwise.
 class RunFolder {
  public:
-  /// @param program that runs: "menger-calibrate"
+  /// @param program that runs: "menger-calibrate" @throws InputError if the folder holds results of another program, so that a
+  /// run finds it before it begins
   RunFolder(std::string program, std::filesystem::path folder);
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }

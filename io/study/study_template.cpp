@@ -63,7 +63,8 @@ void StudyTemplateWriter::visit(const StudyEntry& entry, std::optional<StudyValu
   if (entry.is_required()) values = extended(std::move(values), required_);
   if (entry.is_optional) values = extended(std::move(values), "may be left out");
   comment(std::string(entry.key.help) + (values.empty() ? "" : " (" + values + ")"));
-  const std::string given = value ? study_value_text(*value) : std::string(entry.key.example);
+  std::string given = value ? study_value_text(*value) : std::string(entry.key.example);
+  if (shows_examples_ && entry.is_required()) given = study_value_text(example_of(entry));
   section_->lines.append(is_comment_ || is_default || !value ? "#" : "")
       .append(entry.key.name)
       .append(" = ")
@@ -91,10 +92,16 @@ void StudyTemplateWriter::as_comment(const std::function<void()>& describe) {
   is_comment_ = outer;
 }
 
+void StudyTemplateWriter::as_comment_with_examples(const std::function<void()>& describe) {
+  const bool outer = std::exchange(shows_examples_, true);
+  as_comment(describe);
+  shows_examples_ = outer;
+}
+
 void StudyTemplateWriter::as_comment_with_title(const std::string& title, const std::function<void()>& describe) {
   const std::size_t line_start = section_->lines.size();
   const std::size_t section_count = section_->sections.size();
-  as_comment(describe);
+  as_comment_with_examples(describe);
   const std::string line = "# " + title + "\n";
   if (section_->lines.size() > line_start) section_->lines.insert(line_start, line);
   // Tables come after all lines, so they need a title of their own.
@@ -166,7 +173,7 @@ void StudyTemplateWriter::visit_choice(const std::vector<Alternative>& alternati
       alternative.describe();
     };
     if (written == nullptr) {
-      as_comment(describe);
+      as_comment_with_examples(describe);
     } else {
       as_comment_with_title("In place of " + std::string(written->key) + ":", describe);
     }

@@ -27,6 +27,13 @@ nlohmann::json json_of(const std::string& toml) {
   }
 }
 
+/// Returns the JSON in a file; no object if there is no such file, or it is no JSON.
+nlohmann::json json_in(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  return nlohmann::json::parse(read_whole(file), nullptr, false);
+}
+
 }  // namespace
 
 std::string manifest_text(const Manifest& manifest) {
@@ -42,11 +49,16 @@ std::string manifest_text(const Manifest& manifest) {
 }
 
 std::string program_of_manifest(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return {};
-  const nlohmann::json json = nlohmann::json::parse(read_whole(file), nullptr, false);  // no object where it is no JSON
+  const nlohmann::json json = json_in(file);
   if (!json.is_object() || !json.contains("program") || !json.at("program").is_string()) return {};
   return json.at("program").get<std::string>();
+}
+
+double seconds_of_manifest(const std::filesystem::path& file, const std::string& program) {
+  const nlohmann::json json = json_in(file);
+  if (!json.is_object() || json.value("program", nlohmann::json()) != program) return 0.0;
+  const nlohmann::json seconds = json.value("seconds", nlohmann::json());
+  return seconds.is_number() ? seconds.get<double>() : 0.0;
 }
 
 std::string hash_of_results(const std::filesystem::path& file) {

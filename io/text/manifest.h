@@ -31,6 +31,9 @@ void write_manifest(const std::filesystem::path& folder, const Manifest& manifes
 /// The program that wrote a manifest; empty if there is no such file, or it is no manifest.
 std::string program_of_manifest(const std::filesystem::path& file);
 
+/// The wall time in a manifest that a program wrote, s; 0 if there is none of this program.
+double seconds_of_manifest(const std::filesystem::path& file, const std::string& program);
+
 /// The SHA-256 of what a manifest says of its results: everything but the wall time and the paths of the input files, whose
 /// contents count. A run of the same program with the same inputs has the same; empty if there is no such file.
 /// @throws InputError naming the file if it cannot be read

@@ -96,8 +96,9 @@ void describe_layers(io::StudyVisitor& visitor, Design& design) {
   Layers layers = layers_of(design.body);
   visitor.text_rows(
       {"layers",
-       "The body in layers from the ground up: each layer has rows of constant y, with x along the row. 0 is empty, 1 and 2 are "
-       "the two materials. A hollow body is cast of one silicone; there they may be filled apart (chambers = \"per-phase\").",
+       "The body in layers from the ground up: each layer has rows of constant y, the first at the lowest y, and each row has a "
+       "digit for every cell along x, the first at the lowest x. 0 is empty, 1 and 2 are the two materials. A hollow body is "
+       "cast of one silicone; there they may be filled apart (chambers = \"per-phase\").",
        example},
       layers);
   if (const io::TomlTable* table = visitor.source())

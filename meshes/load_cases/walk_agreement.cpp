@@ -24,8 +24,8 @@ std::string moved_text(const std::string& name, double time_s, double x_m, doubl
   const auto hundredths_mm = [](double length_m) {
     return io::formatted("%.2f", std::round(1e5 * length_m) / 1e2 + 0.0);  // no "-0.00"
   };
-  return name + " after " + io::shown(time_s, 3) + " s: its centre moved by (" + hundredths_mm(x_m) + ", " + hundredths_mm(y_m) +
-         ") mm";
+  return name + " after " + io::shown(time_s, 3) + " s: its centre moved by x = " + hundredths_mm(x_m) +
+         " mm, y = " + hundredths_mm(y_m) + " mm";
 }
 
 WalkAgreement compare_walks(const WalkOutcome& a, const WalkOutcome& b) {

@@ -34,7 +34,7 @@ double angle_between_directions_deg(double a_deg, double b_deg);
 /// Returns whether two walks last equally long but for a few steps of time: distances of others are not compared.
 bool last_as_long(double a_s, double b_s);
 
-/// "table after 5 s: its centre moved by (14.20, -0.31) mm": the title of a picture of a walk, the same in all programs
+/// "table after 5 s: its centre moved by x = 14.20 mm, y = -0.31 mm": the title of a picture of a walk, the same in all programs
 std::string moved_text(const std::string& name, double time_s, double x_m, double y_m);
 
 /// Compares two walks by their speeds and directions. Directions agree if one of them is not known.

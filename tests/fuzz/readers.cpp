@@ -125,15 +125,13 @@ void read_archive(const fs::path& file) {
   drop(archive.generation_goal());
   drop(archive.next_id());
   drop(archive.tried_phenotype_keys());
-  drop(archive.evaluation_steps());
   drop(archive.scenarios());
   drop(archive.screened_individuals());
   drop(archive.reevaluations());
   for (const evolution::FitDesign& design : archive.fit_designs()) drop(archive.individual(design.individual));
-  for (const evolution::EvaluationSteps& steps : archive.evaluation_steps()) {
-    drop(archive.evaluation({steps.design_hash, steps.level, "physics"}));
-    drop(archive.step_check({steps.design_hash, steps.level, "physics"}));
-  }
+  const evolution::EvaluationKey key_of_seed{"h", 1, "physics"};
+  drop(archive.evaluation(key_of_seed));
+  drop(archive.step_check(key_of_seed));
   constexpr int most_generations = 20;
   for (int number = 0; number <= std::min(archive.last_generation().value_or(-1), most_generations); ++number) {
     drop(archive.generation(number));

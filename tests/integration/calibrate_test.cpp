@@ -2,16 +2,20 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <thread>
 
 #include "io/text/csv_table.h"
 #include "io/text/toml_document.h"
 #include "io/text/whole_file.h"
 #include "meshes/load_cases/response_curve.h"
+#include "tests/support/program_run.h"
 #include "tests/support/test_folder.h"
 #include "voxel/calibration/calibration_start.h"
 #include "voxel/model/surrogate_file.h"
@@ -242,6 +246,19 @@ TEST_F(CalibrateProgram, LeavesNoResultOfAnEarlierRun) {
   EXPECT_FALSE(fs::exists(folder_ / "fit/identifiability.csv"));
   EXPECT_FALSE(fs::exists(folder_ / "fit/curve_of_another_run.png"));
   EXPECT_TRUE(fs::exists(folder_ / "fit/notes.txt"));
+}
+
+TEST_F(CalibrateProgram, StoppedFitWritesNothingAndSaysSo) {
+  const test_support::ProgramRun fit(folder_, MENGER_PROGRAM_DIR "/menger-calibrate", {"study.toml", "-o", "fit"});
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  // It makes the folder right before it begins to fit.
+  while (!fs::exists(folder_ / "fit") && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  fit.send(SIGINT);
+  const test_support::Outcome stopped = fit.wait();
+  EXPECT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_EQ(stopped.out, "Stopped. Nothing was written.\n");
+  EXPECT_TRUE(fs::is_empty(folder_ / "fit"));
 }
 
 TEST_F(CalibrateProgram, TakesDampingFromTheRecord) {

@@ -520,11 +520,17 @@ TEST_F(EvolveOnElements, RobotsOfAnySearchWalkAsAnotherStudySays) {
     const std::string text = io::read_whole(folder_ / manifest);
     return text.substr(0, text.find("\"parameters\""));
   };
-  EXPECT_EQ(inputs_of("one.manifest.json"), inputs_of("best.manifest.json"))
+  EXPECT_EQ(inputs_of("one.csv.manifest.json"), inputs_of("best.csv.manifest.json"))
       << "an archive that has gained walks is the same search";
   const Outcome unknown = run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", "100000", "-o", "none.csv"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.err.find("--individuals 100000"), std::string::npos) << unknown.err;
+
+  const std::string of_the_search = io::read_whole(folder_ / "voxels.manifest.json");
+  ASSERT_EQ(run("confirm", {"voxels.sqlite", "judge.toml", "--individuals", second, "-o", "voxels.csv"}).code, 0);
+  EXPECT_EQ(io::read_whole(folder_ / "voxels.manifest.json"), of_the_search)
+      << "a table of the same name has a manifest of its own";
+  EXPECT_TRUE(fs::exists(folder_ / "voxels.csv.manifest.json"));
 
   const auto expect_refused = [&](const std::string& from, const std::string& to, const std::string& word) {
     std::string text = tests::walking_study_text();

@@ -11,6 +11,7 @@
 #include "evolution/archive/run_archive.h"
 #include "io/device/graphics_processor.h"
 #include "io/text/content_hash.h"
+#include "io/text/manifest.h"
 #include "io/text/whole_file.h"
 #include "tests/support/archive_content.h"
 #include "tests/support/earlier_archive.h"
@@ -85,6 +86,10 @@ TEST_F(Evolve, WritesAnArchiveAndAManifestAndALinePerGeneration) {
        {"Poisson", "F [BL]", "d1 [BL]", "d2 [BL]", "\n   0 ", "\n   1 ", "\n   2 ", "Champion: individual "}) {
     EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out << "\ndoes not say: " << word;
   }
+  const std::string legend = "gen: generation; F: fitness of the fittest survivor; d1, d2: its displacement at these levels";
+  const auto at = outcome.out.find(legend);
+  EXPECT_LT(at, outcome.out.find("F [BL]")) << outcome.out;
+  EXPECT_EQ(outcome.out.find(legend, at + 1), std::string::npos) << "said twice";
   EXPECT_EQ(outcome.out.find('\r'), std::string::npos) << "a bar in a file";
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(io::read_whole(folder_ / "run.manifest.json").find("\"duration_s\": 0.05"), std::string::npos);
@@ -175,6 +180,25 @@ TEST_F(Evolve, InterruptedItEndsCleanlyAndGoesOnLater) {
   ASSERT_EQ(run({"study.toml", "--generations", goal}).code, 0);
   ASSERT_EQ(run({"study.toml", "--generations", goal, "-o", "whole.sqlite"}).code, 0);
   EXPECT_EQ(archive_content(archive_), archive_content(folder_ / "whole.sqlite"));
+}
+
+TEST_F(Evolve, TheManifestHasTheTimeOfAllCalls) {
+  const fs::path manifest = folder_ / "run.manifest.json";
+  io::write_whole(manifest, R"({"program": "menger-evolve", "seconds": 5e6})");
+  ASSERT_EQ(run({"study.toml", "-g", "1"}).code, 0);
+  const double first_s = io::seconds_of_manifest(manifest, "menger-evolve");
+  EXPECT_GT(first_s, 0.0);
+  EXPECT_LT(first_s, 1e6) << "that was of another archive of this name";
+  io::write_whole(manifest, R"({"program": "menger-evolve", "seconds": 36000.0})");
+  ASSERT_EQ(run({"study.toml", "-g", "2"}).code, 0);
+  EXPECT_GT(io::seconds_of_manifest(manifest, "menger-evolve"), 36000.0);
+  EXPECT_LT(io::seconds_of_manifest(manifest, "menger-evolve"), 72000.0);
+}
+
+TEST_F(Evolve, SearchesWhoseNamesDifferInTheirEndingsHaveManifestsOfTheirOwn) {
+  for (const char* name : {"trial.1", "trial.2"}) ASSERT_EQ(run({"study.toml", "-g", "0", "-o", name}).code, 0);
+  for (const char* name : {"trial.1.manifest.json", "trial.2.manifest.json"}) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_FALSE(fs::exists(folder_ / "trial.manifest.json"));
 }
 
 // A population of this size is grown for minutes before the first robot walks.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evolution/loop/loop_state.h"
+#include "io/process/file_lock.h"
 #include "io/text/csv_table.h"
 #include "io/text/whole_file.h"
 #include "tests/support/copied_program.h"
@@ -163,6 +164,10 @@ TEST_F(LoopProgram, InitWritesARobotAndNeverOverOne) {
   EXPECT_EQ(run({"loop", "mine/robot.toml", "--write-studies"}).code, 0);
   EXPECT_TRUE(is_there("mine/results/studies/calibrate.toml"));
   EXPECT_FALSE(is_there("mine/results/loop.json"));
+  const io::FileLock of_a_running_loop(folder_ / "mine/results/loop");
+  const Outcome beside = run({"loop", "mine/robot.toml", "--write-studies"});
+  EXPECT_EQ(beside.code, 2);
+  expect_has(beside.err, "mine/results/loop");
 }
 
 /// How far the centre of mass goes along an axis in each of the last four seconds of a walk of 5 s, m.

@@ -13,6 +13,7 @@ import copy
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -73,6 +74,13 @@ RIGHT = [
     ("inflate", "fem/studies/cube.toml", "stations between later knots", ["path"],
      {"pressure_Pa": [0, 500, 1000], "stations": [0.5, 1.5]}),
 ]
+
+
+def told_top_keys(sources):
+    """The keys that programs tell the study of another command by (io/process/study_command.cpp): a set for each command."""
+    text = (sources / "io/process/study_command.cpp").read_text()
+    rows = re.findall(r'\{"([a-z-]+)",\s*((?:"[^"]*"\s*)+)\}', text)
+    return {command: set("".join(re.findall(r'"([^"]*)"', keys)).split()) for command, keys in rows}
 
 
 def files_of(sources, patterns):
@@ -143,6 +151,8 @@ def main():
     programs, sources, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
     faults = []
     known = files_of(sources, OTHERS)
+    told = told_top_keys(sources)
+    told["modes"] = told["inflate"]
     validators = {}
     checked = 0
     refused = collections.Counter()
@@ -154,6 +164,8 @@ def main():
             continue
         schema = json.loads(printed.stdout)
         jsonschema.Draft202012Validator.check_schema(schema)
+        if told.get(command) != set(schema["properties"]):
+            faults.append(f"io/process/study_command.cpp has other keys of menger {command}: {sorted(told.get(command, set()) ^ set(schema['properties']))}")
         validator = validators[command] = jsonschema.Draft202012Validator(schema)
         wrongs = []
         for file in sorted(files_of(sources, patterns)):

@@ -127,6 +127,17 @@ TEST_F(Simulate, FilesAgreeWithOneAnother) {
   EXPECT_TRUE(fs::exists(folder_ / "result/manifest.json"));
 }
 
+TEST_F(Simulate, ReplacesNoResultsOfAnotherCommand) {
+  write_scene(std::string(small_scene));
+  io::write_whole(folder_ / "result/manifest.json", "{\"program\": \"menger-inflate\"}");
+  io::write_whole(folder_ / "result/result.toml", "of the inflation");
+  const Outcome outcome = run({"scene.toml", "-o", "result", "--no-pictures"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err, "menger-simulate: error: result: holds results of menger inflate: choose another folder with -o\n");
+  EXPECT_EQ(io::read_whole(folder_ / "result/result.toml"), "of the inflation");
+  EXPECT_FALSE(fs::exists(folder_ / "result/trajectory.csv"));
+}
+
 TEST_F(Simulate, SaysWhichErrorToExpectOfACalibratedBody) {
   const voxel::SurrogateParameters parameters = tests::surrogate_example();
   io::write_whole(folder_ / "soft.toml", voxel::surrogate_text(parameters));

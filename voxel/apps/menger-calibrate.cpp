@@ -10,6 +10,7 @@
 #include "io/process/interrupt.h"
 #include "io/process/program.h"
 #include "io/process/progress.h"
+#include "io/process/run_folder.h"
 #include "io/process/study_help.h"
 #include "io/text/formatted.h"
 #include "meshes/robot/command_study.h"
@@ -37,7 +38,7 @@ std::optional<int> parse(int argc, const char* const* argv, Arguments& arguments
       "writes calibration/parameters.toml (for [surrogate] of scenes and searches), result.toml, details.csv, parameters.csv,\n"
       "correlation.csv, residuals.csv, responses.csv, a picture of every curve, agreement.png and manifest.json.\n"
       "Exit codes: 0 done, 2 wrong input, 3 the fit did not converge (the best parameters found are written, with\n"
-      "this status), 130 interrupted.");
+      "this status), 130 interrupted (nothing is written).");
   io::add_study_help(app, [](io::StudyVisitor& visitor) {
     voxel::CalibrationStudy study;
     describe(visitor, study);
@@ -149,6 +150,10 @@ int run(int argc, const char* const* argv) {
   const voxel::CalibrationRunResult result =
       voxel::run_calibration(study, voxel::equilibrium_responder(), arguments.folder, options);
   progress.clear();
+  if (const io::RunStatus status = result.calibration.ended().status; status == io::RunStatus::stopped) {
+    std::cout << "Stopped. Nothing was written.\n";
+    return io::exit_code_of(status);
+  }
   print(result, arguments.folder);
   return exit_code_of(result);
 }

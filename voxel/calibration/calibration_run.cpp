@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <system_error>
 
-#include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/whole_file.h"
 #include "voxel/calibration/calibration_chart.h"
@@ -104,26 +103,24 @@ CalibrationRunResult run_calibration(const CalibrationStudy& study, const Respon
   result.calibration = calibrate(problem, plan);
   result.curves = problem.curves;
   result.notes = study.notes;
-  const bool is_stopped = result.calibration.ended().status == io::RunStatus::stopped;
+  if (result.calibration.ended().status == io::RunStatus::stopped) {  // what an earlier run found is worth more
+    result.frequency_response.clear();
+    return result;
+  }
   const CalibrationFit& fit = result.calibration.fit();
-  if (options.identifiability_fits > 0 && !is_stopped && fit.parameter_count > 0)
+  if (options.identifiability_fits > 0 && fit.parameter_count > 0)
     result.identifiability = test_identifiability(problem, fit, options);
 
-  if (is_stopped) {
-    io::come_to_stop();
-    result.frequency_response.clear();
-  }
   if (!result.frequency_response.empty()) {
     compute_frequency_response(result.frequency_response, *study.frequency_response,
                                reported_parameters(result.calibration, study));
   }
 
   remove_earlier_results(run);
-  if (fit.parameter_count > 0 && !is_stopped)
-    io::write_whole(folder / "parameters.toml", parameters_text(result.calibration, study));
+  if (fit.parameter_count > 0) io::write_whole(folder / "parameters.toml", parameters_text(result.calibration, study));
   io::write_whole(folder / "result.toml", result_text(result.calibration, study, result.curves));
   write_tables(folder, result);
-  if (options.pictures && !is_stopped) draw(folder, result);
+  if (options.pictures) draw(folder, result);
   run.finish(study_text(study, problem), study.inputs);
   return result;
 }

@@ -33,8 +33,8 @@ struct CalibrationRunResult {
 /// details.csv, parameters.csv, correlation.csv, residuals.csv, responses.csv, identifiability.csv and frequency_response.csv if
 /// asked for, curve_CASE.png and agreement.png, manifest.json.
 ///
-/// A fit that did not converge is written with its status. A stopped fit writes no parameters.toml. Once the input is read, the
-/// results of an earlier run in the folder are removed, so all results there are of this run.
+/// A fit that did not converge is written with its status. A fit that is stopped writes nothing, and leaves the results of an
+/// earlier run in the folder. Otherwise these are removed before any are written, so all results there are of this run.
 /// @throws io::InputError if the folder cannot be written to or the frequency reference cannot be read; then nothing is removed
 CalibrationRunResult run_calibration(const CalibrationStudy& study, const Responder& responder,
                                      const std::filesystem::path& folder, const CalibrationRunOptions& options);

@@ -214,6 +214,14 @@ void add_scale_bar(vtkRenderer& renderer, const View& view, const Extent& seen, 
             2.5 * io::supersampling);
 }
 
+void add_ground_axes(vtkRenderer& renderer, const Vector& corner, double length_m) {
+  for (const std::size_t axis : {0U, 1U}) {
+    Vector end = corner;
+    end.at(axis) += length_m;
+    add_lines(renderer, *line_between(corner, end), 2.0 * io::supersampling);
+  }
+}
+
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up) {
   vtkNew<vtkTextActor> text;
   text->SetInput(caption.c_str());

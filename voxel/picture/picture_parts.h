@@ -53,6 +53,9 @@ void add_lines(vtkRenderer& renderer, vtkPolyData& lines, double line_width);
 /// Adds a bar below what is seen, along the picture. @param seen along the axes of the view
 void add_scale_bar(vtkRenderer& renderer, const View& view, const Extent& seen, double length_m);
 
+/// Adds a line on the ground along each of the axes x and y. @param corner where they meet
+void add_ground_axes(vtkRenderer& renderer, const Vector& corner, double length_m);
+
 /// Adds a caption. @param across position of its middle, 0 to 1 from left to right @param up of its lower end, 0 to 1 from below
 void add_caption(vtkRenderer& renderer, const std::string& caption, double across, int font_size, double up = 0.03);
 

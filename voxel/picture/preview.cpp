@@ -7,7 +7,9 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <string>
 
 #include "io/picture/scale_bar.h"
 #include "io/text/formatted.h"
@@ -72,6 +74,20 @@ Extent view_of_tile(const Extent& tile, const View& view) {
   return seen;
 }
 
+/// Which colour is which material, if a robot has both: "blue: material 1, orange: material 2".
+std::string colour_text(const Frame& frame) {
+  for (const int material : {1, 2})
+    if (std::ranges::find(frame.material, material) == frame.material.end()) return {};
+  return "blue: material 1, orange: material 2";
+}
+
+/// Where a point is seen in a picture that is aimed: 0 to 1 from left to right and from below.
+std::array<double, 2> seen_at(const Vector& point, const View& view, const Extent& seen, double picture_width,
+                              double picture_height) {
+  const Vector place = view.coordinates(point);
+  return {0.5 + (place[0] - seen.centre(0)) / picture_width, 0.5 + (place[1] - seen.centre(1)) / picture_height};
+}
+
 void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std::span<const Vector> trail,
                  std::span<const std::string> captions, const RobotStyle& style) {
   const View view = isometric_view();
@@ -84,6 +100,7 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
   const double line_width = io::supersampling * std::clamp(30.0 / cells_across, 0.6, 2.0);
 
   Extent seen;
+  Vector corner{};  // of the ground, where its axes begin
   std::vector<double> middles;
   for (const Placed& robot : robots) {
     const double ground_height = -0.5 * robot.frame->cell_edge_m;
@@ -95,6 +112,7 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
     add_robot(*renderer, *surface, line_width);
     if (!style.floor) continue;
     const Extent tile = tile_of(robot, trail, ground_height);
+    corner = tile.low;
     seen.unite(view_of_tile(tile, view));
     const double layer = 0.002 * std::max(tile.size(0), tile.size(1));
     add_floor(*renderer, tile, ground_height - 2.0 * layer);
@@ -111,17 +129,28 @@ void fill_window(vtkRenderWindow& window, const std::vector<Placed>& robots, std
   }
 
   const int font_size = style.picture.height_px / 36;
+  const double bar_m = io::scale_bar_length(0.25 * seen.size(0));
+  const bool has_axes = style.floor && !style.title.empty();
+  if (has_axes) add_ground_axes(*renderer, corner, 0.5 * bar_m);
   if (!style.title.empty()) {
-    const double bar_m = io::scale_bar_length(0.25 * seen.size(0));
     add_scale_bar(*renderer, view, seen, bar_m);
     add_caption(*renderer, style.title, 0.5, font_size, 0.95);
     add_caption(*renderer, "bar: " + io::shown(1e3 * bar_m, 3) + " mm" + (trail.empty() ? "" : "; line: the path of the centre"),
                 0.5, font_size);
+    add_caption(*renderer, colour_text(*robots.front().frame), 0.5, font_size, 0.075);
   }
   window.AddRenderer(renderer);
   const double aspect = static_cast<double>(style.picture.width_px) / style.picture.height_px;
   aim(*renderer, view, seen, aspect, !style.title.empty() ? 0.14 : captions.empty() ? 0.04 : 0.08);
-  const double picture_width = 2.0 * renderer->GetActiveCamera()->GetParallelScale() * aspect;
+  const double picture_height = 2.0 * renderer->GetActiveCamera()->GetParallelScale();
+  const double picture_width = picture_height * aspect;
+  for (const std::size_t axis : {0U, 1U}) {  // x goes down in the picture, y up
+    if (!has_axes) break;
+    Vector end = corner;
+    end[axis] += 0.5 * bar_m;
+    const auto [across, up] = seen_at(end, view, seen, picture_width, picture_height);
+    add_caption(*renderer, axis == 0 ? "x" : "y", across, font_size, axis == 0 ? up - 0.045 : up + 0.012);
+  }
   for (std::size_t i = 0; i < captions.size(); ++i) {
     add_caption(*renderer, captions[i], 0.5 + (middles[i] - seen.centre(0)) / picture_width, font_size);
   }

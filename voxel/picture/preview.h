@@ -14,8 +14,10 @@ namespace menger::voxel {
 /// Size and content of a picture of robots.
 struct RobotStyle {
   io::PictureStyle picture{};
-  bool floor = true;    ///< whether to draw the ground
-  std::string title{};  ///< of the picture of one robot, which then has a scale bar, too
+  bool floor = true;  ///< whether to draw the ground
+  /// Of the picture of one robot. It then has a scale bar, says which colour is which material, and shows on the ground where x
+  /// and y point.
+  std::string title{};
 };
 
 /// Draws a robot as a PNG picture, seen from above at an angle: lit cubes on the ground, material 1 in blue, material 2 in
@@ -34,8 +36,9 @@ io::PictureOutcome render_row(const std::filesystem::path& file, std::span<const
                               const RobotStyle& style = {.picture = {.width_px = 2400, .height_px = 1100}});
 
 /// Draws a trajectory of the centre of mass as a PNG picture with two charts: the horizontal displacement over time, and the path
-/// seen from above. Both are in body lengths. Draws nothing, and says so in the outcome, for fewer than two points.
+/// seen from above with its start and end. Both are in body lengths. Draws nothing, and says so in the outcome, for fewer than
+/// two points. @param name of the robot: the title
 io::PictureOutcome plot_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, double body_length_m,
-                                   const io::PictureStyle& style = {.width_px = 1600, .height_px = 800});
+                                   const std::string& name, const io::PictureStyle& style = {.width_px = 1600, .height_px = 800});
 
 }  // namespace menger::voxel

@@ -134,7 +134,9 @@ class SceneRun {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;
     }
-    if (const auto plot = plot_trajectory(folder_ / "trajectory.png", result_.trajectory, result_.body_length_m); !plot.written) {
+    if (const auto plot =
+            plot_trajectory(folder_ / "trajectory.png", result_.trajectory, result_.body_length_m, scene_.design.name);
+        !plot.written) {
       result_.notes.push_back("no plot of the trajectory: " + plot.missing);
     }
   }

@@ -66,6 +66,23 @@ TEST_F(WalkVerdict, BlamesSymmetryOnlyWhereABodyHasIt) {
   expect_has(verdict(), "Chance decides such a walk.");
 }
 
+TEST_F(WalkVerdict, MirrorsABodyAboutItselfAndNotAboutItsGrid) {
+  const std::string advice = "a body that differs from its mirror image walks more surely.";
+  const auto take = [&](const std::string& layer) {
+    io::write_whole(folder_ / "robot.toml",
+                    "[robot]\nlayers = [[" + layer + "]]\ncell_edge_m = 0.01\nsilicone = \"dragon_skin_10\"\n");
+    robot_ = meshes::read_robot(folder_ / "robot.toml");
+  };
+  for (const auto& [x_m, y_m] : {std::pair{0.024, 0.0}, {0.0, 0.024}}) {
+    write_walk("locomote/locomotion.toml", -0.25 * x_m, -0.25 * y_m);
+    write_walk("locomote_finer/locomotion.toml", x_m, y_m);
+    take(R"("110", "110", "000")");
+    expect_has(verdict(), advice);
+    take(R"("100", "110", "000")");
+    EXPECT_EQ(verdict().find(advice), std::string::npos) << verdict();
+  }
+}
+
 TEST_F(WalkVerdict, SaysOnWhichMeshABodyDoesNotWalk) {
   write_walk("locomote/locomotion.toml", 0.00431, 0.0, "0.12");
   write_walk("locomote_finer/locomotion.toml", 0.0027, 0.0, "0.075");

@@ -114,6 +114,7 @@ TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
 
 TEST(Offspring, ConstraintsThatNoBodyMeetsAreNamed) {
   for (const auto& [plan, word] : {std::pair{BodyPlan::fractal, "smallest_body_cells = 28"},
+                                   {BodyPlan::single_actuator, "smallest_body_cells = 28"},
                                    {BodyPlan::nonfractal, "smallest_arranged_body_cells = 20000"}}) {
     OffspringOptions options = released_options(plan);
     options.constraints.smallest_body = 28;

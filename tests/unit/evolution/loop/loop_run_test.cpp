@@ -14,6 +14,7 @@
 #include "evolution/loop/loop_state.h"
 #include "evolution/loop/loop_verdict_file.h"
 #include "io/process/exit_code.h"
+#include "io/process/file_lock.h"
 #include "io/study/installed_folders.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
@@ -489,6 +490,28 @@ TEST_F(LoopRunTest, ArchiveStaysWhereItIsWhenASearchIsRefusedForAnotherReason) {
   EXPECT_TRUE(fs::exists(folder_ / "results/earlier/evolve_1/study"));
 }
 
+TEST_F(LoopRunTest, ArchiveThatIsInUseStaysWhereItIs) {
+  add("[search]\ngenerations = 1\n");
+  // As menger evolve does: an archive in use is refused as one of another study is.
+  write_program("evolve",
+                "[ -e evolve/run.sqlite.lock ] && exit 2\ncmp -s \"$1\" evolve/study || [ ! -e evolve/study ] || exit 2; cp "
+                "\"$1\" evolve/study");
+  ASSERT_EQ(run("evolve"), io::exit_code::done);
+  change("generations = 1", "generations = 2");
+  {
+    const io::FileLock of_a_search_by_hand(folder_ / "results/evolve/run.sqlite");
+    EXPECT_EQ(run("evolve"), io::exit_code::bad_input);
+    EXPECT_EQ(called(), Names{"evolve"}) << "it is not started again";
+    EXPECT_NE(out_.str().find("evolve/run.sqlite is in use by another process: its folder stays where it is"), std::string::npos)
+        << out_.str();
+    EXPECT_NE(io::read_whole(folder_ / "results/evolve/study").find("generations = 1"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "results/earlier"));
+  }
+  EXPECT_EQ(run("evolve"), io::exit_code::done) << out_.str();
+  EXPECT_NE(io::read_whole(folder_ / "results/earlier/evolve_1/study").find("generations = 1"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "results/earlier/evolve_1/run.sqlite.lock"));
+}
+
 TEST_F(LoopRunTest, ReportIsTheLastStageIfItsProgramIsThere) {
   write_program("report", "echo page > report.html");
   EXPECT_EQ(run(), io::exit_code::done);
@@ -585,6 +608,16 @@ TEST_F(LoopRunTest, ReplacesNothingThatNoLoopHasMade) {
   EXPECT_NE(message.find("mine: holds report.html, mesh, which no loop has made"), std::string::npos) << message;
   EXPECT_EQ(io::read_whole(folder_ / "mine/report.html"), "my report");
   EXPECT_FALSE(fs::exists(folder_ / "mine/logs"));
+}
+
+TEST_F(LoopRunTest, ReplacesNoResultsOfAnotherCommand) {
+  const std::string manifest = "{\"program\": \"menger-simulate\"}";
+  io::write_whole(folder_ / "results/manifest.json", manifest);
+  const std::string message = tests::message_of([&] { run("mesh"); });
+  EXPECT_NE(message.find("results: holds results of menger simulate: choose another folder with -o"), std::string::npos)
+      << message;
+  EXPECT_EQ(io::read_whole(folder_ / "results/manifest.json"), manifest);
+  EXPECT_FALSE(fs::exists(folder_ / "results/logs"));
 }
 
 TEST_F(LoopRunTest, ReplacesNoResultsOfAnotherRobot) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "evolution/archive/archive_files.h"
 #include "evolution/archive/run_archive.h"
 #include "evolution/outputs/result_facts.h"
 #include "io/text/content_hash.h"
@@ -40,6 +41,22 @@ class SearchesTest : public testing::Test {
 TEST_F(SearchesTest, AreArchivesInsteadOfTheirExports) {
   EXPECT_EQ(names_of({archive("run", "seed = 1\n"), exported("elsewhere/renamed.sqlite", "seed = 1\n")}),
             std::vector<std::string>{"run.manifest.json"});
+}
+
+TEST(ArchiveFiles, AreNamedAfterTheirArchive) {
+  EXPECT_EQ(beside_archive("out/run.sqlite", ".manifest.json"), "out/run.manifest.json");
+  EXPECT_EQ(beside_archive("run.sqlite", ".confirmed.csv"), "run.confirmed.csv");
+  EXPECT_EQ(beside_archive("out.1/run", ".manifest.json"), "out.1/run.manifest.json");
+  EXPECT_EQ(beside_archive("trial.1", ".manifest.json"), "trial.1.manifest.json");
+  EXPECT_NE(beside_archive("trial.1", ".confirmed.csv"), beside_archive("trial.2", ".confirmed.csv"));
+  EXPECT_NE(beside_archive("trial.1.sqlite", ".confirmed.csv"), beside_archive("trial.2.sqlite", ".confirmed.csv"));
+}
+
+TEST(ArchiveFiles, LeadToTheirArchive) {
+  const tests::TestFolder folder;
+  for (const char* name : {"run.sqlite", "trial.1", "trial.2", "both.sqlite", "both"}) std::ofstream(folder / name) << "x";
+  for (const char* name : {"run.sqlite", "trial.1", "trial.2", "both.sqlite", "lost.sqlite"})
+    EXPECT_EQ(archive_beside(beside_archive(folder / name, ".manifest.json"), ".manifest.json"), folder / name);
 }
 
 TEST_F(SearchesTest, AreExportsOfOtherArchivesOfTheSameName) {

@@ -450,6 +450,18 @@ TEST(ReportRun, TakesAPictureOnceFromAFolderOfSeveralCommands) {
   EXPECT_EQ(text.find("\"file\":\"champion.png\"", first + 1), std::string::npos) << "it stands there once";
 }
 
+TEST(ReportRun, ShowsScoresOfAnotherStudyBesideASearchOfTheSameName) {
+  // The second is as it was named before: the table without its ending.
+  for (const char* name : {"run.csv.manifest.json", "run.manifest.json"}) {
+    const tests::TestFolder folder;
+    io::write_whole(folder / "run.csv", "rank,cells\n1,17\n");
+    io::write_manifest_file(folder / name, {.program = "menger-confirm", .parameters = "", .seed = std::nullopt, .inputs = {}});
+    const std::string text = io::read_whole(write_report(folder, quick()).file);
+    EXPECT_NE(text.find("Robots as another study lets them walk"), std::string::npos) << name;
+    EXPECT_NE(text.find("From run.csv."), std::string::npos) << name;
+  }
+}
+
 TEST(ReportRun, SaysWhatAPictureShows) {
   const tests::TestFolder folder;
   for (const char* name : {"inflate", "limit"}) {

@@ -52,6 +52,13 @@ TEST_F(SearchComparison, TheOutcomeIsTheBestByFiniteElements) {
   EXPECT_EQ(read("plain_1").model, EvaluationModel::finite_elements);
 }
 
+TEST_F(SearchComparison, TheReevaluationMayHaveAFolderOfItsOwn) {
+  io::write_whole(folder_ / "plain_1/reevaluated/reevaluation.csv", reevaluation_header + "1,0.6,0.7,10,10\n");
+  EXPECT_EQ(read("plain_1").best()->body_lengths, 0.7);
+  fs::remove(folder_ / "plain_1/reevaluation.csv");
+  EXPECT_EQ(read("plain_1").robots.size(), 1U);
+}
+
 TEST_F(SearchComparison, StepsAreCountedTogetherAtTheRateOfExchange) {
   const ComparisonOptions options{.voxel_steps_per_element_step = 2.0};
   const ComparedSearch both = read("both_1", options);

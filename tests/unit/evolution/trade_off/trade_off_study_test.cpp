@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+#include <string>
+
 #include "evolution/trade_off/trade_off_body.h"
 #include "evolution/trade_off/trade_off_variant.h"
 #include "evolution/trade_off/trade_off_voxels.h"
 #include "io/process/program_job.h"
+#include "io/study/installed_folders.h"
 #include "io/study/study_reader.h"
 #include "io/text/input_error.h"
 #include "io/text/toml_document.h"
@@ -173,6 +178,30 @@ TEST_F(TradeStudyTest, ParametersOfAVariantArePartOfTheJob) {
   const std::string first = hash("first");
   EXPECT_NE(hash("second"), first);
   EXPECT_EQ(hash("first"), first);
+}
+
+TEST_F(TradeStudyTest, AVariantMayNameWhatComesWithMenger) {
+  io::write_whole(folder_ / "scene.toml",
+                  "[surrogate]\nparameters = \"dragon_skin_10_1cm\"\n[material]\nsilicone = \"dragon_skin_10\"\n");
+  const fs::path parameters = io::data_folder(io::parameter_data) / "dragon_skin_10_1cm.toml";
+  const fs::path silicone = io::data_folder(io::silicone_data) / "dragon_skin_10.toml";
+  EXPECT_EQ(TomlVariant(folder_ / "scene.toml").files(),
+            (std::map<std::string, fs::path>{{"parameters.toml", parameters}, {"silicone.toml", silicone}}));
+  io::ProgramJob job;
+  add_input(job, "scene.toml", TomlVariant(folder_ / "scene.toml"));
+  EXPECT_EQ(job.inputs.at("parameters.toml"), io::read_whole(parameters));
+  EXPECT_EQ(job.inputs.at("silicone.toml"), io::read_whole(silicone));
+  EXPECT_EQ(io::parse_toml(job.inputs.at("scene.toml"), "scene.toml").table("material").text("silicone"), "silicone.toml");
+  const TradeStudy study = read("[gait]\nscene = \"scene.toml\"\n");
+  EXPECT_TRUE(study.inputs.contains(parameters.string()));
+  io::write_whole(folder_ / "scene.toml", "[surrogate]\nparameters = \"dragon_skin\"\n");
+  EXPECT_THROW(TomlVariant{folder_ / "scene.toml"}, io::InputError);
+}
+
+TEST_F(TradeStudyTest, AVariantFindsASiliconeBesideItsFile) {
+  io::write_whole(folder_ / "scene.toml", "[material]\nsilicone = \"mine.toml\"\n");
+  io::write_whole(folder_ / "mine.toml", "of the user");
+  EXPECT_EQ(TomlVariant(folder_ / "scene.toml").files().at("silicone.toml"), folder_ / "mine.toml");
 }
 
 TEST_F(TradeStudyTest, AVariantOfWhatIsNoTomlIsRefused) {

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <string>
+#include <utility>
 
 #include "io/text/input_error.h"
 #include "io/text/whole_file.h"
@@ -61,6 +62,17 @@ TEST_F(ChildProgramTest, EndsAChildThatExceedsItsTime) {
   EXPECT_EQ(outcome.end, ChildEnd::timed_out);
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_GE(outcome.wall_s, 0.5);
+}
+
+TEST_F(ChildProgramTest, AResultThatComesJustAtTheTimeLimitCounts) {
+  for (const auto& [code, end] : {std::pair{0, ChildEnd::exited}, {3, ChildEnd::exited}, {2, ChildEnd::timed_out}}) {
+    ChildProgram child = script("trap 'exit " + std::to_string(code) + "' INT; while :; do sleep 0.05; done");
+    child.time_limit_s = 0.5;
+    const ChildOutcome outcome = run_child(child);
+    EXPECT_EQ(outcome.end, end) << code;
+    EXPECT_EQ(outcome.exit_code, code);
+    EXPECT_EQ(outcome.signal, 0);
+  }
 }
 
 TEST_F(ChildProgramTest, KillsAChildThatDoesNotListen) {

@@ -48,6 +48,19 @@ TEST(FileLock, BelongsToTheFileAndNotToItsName) {
   EXPECT_THROW(FileLock(folder / "real/../real/a"), InputError);
 }
 
+TEST(FileLock, LeavesTheLockOfAnotherHolderWhereItsFolderWasRenamed) {
+  const tests::TestFolder folder;
+  fs::create_directory(folder / "run");
+  std::optional<FileLock> first = FileLock::if_free(folder / "run/a");
+  ASSERT_TRUE(first);
+  fs::rename(folder / "run", folder / "earlier");
+  fs::create_directory(folder / "run");
+  const FileLock second(folder / "run/a");
+  first.reset();
+  EXPECT_TRUE(fs::exists(folder / "run/a.lock"));
+  EXPECT_FALSE(FileLock::if_free(folder / "run/a")) << "the second one holds it";
+}
+
 TEST(FileLock, RefusesAFileOfSeveralNames) {
   const tests::TestFolder folder;
   write_whole(folder / "a", "content");

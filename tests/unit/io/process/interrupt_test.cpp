@@ -34,13 +34,19 @@ TEST(Interrupt, FirstSignalOnlySetsTheFlag) {
 }
 
 TEST(Interrupt, SecondSignalEndsTheProgram) {
-  EXPECT_EXIT(
-      {
-        catch_interrupts();
-        std::raise(SIGINT);
-        std::raise(SIGINT);
-      },
-      testing::KilledBySignal(SIGINT), "");
+  for (const int first : {SIGINT, SIGTERM}) {
+    for (const int second : {SIGINT, SIGTERM}) {
+      EXPECT_EXIT(
+          {
+            catch_interrupts();
+            std::raise(first);
+            std::raise(second);
+            std::_Exit(0);
+          },
+          testing::KilledBySignal(second), "")
+          << first << ' ' << second;
+    }
+  }
 }
 
 /// Computes for a while, as a library does that knows nothing of interrupts.

@@ -90,6 +90,16 @@ TEST_F(ProgramJobTest, ARunWhoseTimeWasUpIsTriedAgainWithMoreTimeOnly) {
   EXPECT_EQ(calls(), 2U);
 }
 
+TEST_F(ProgramJobTest, AResultThatComesJustAtTheTimeLimitIsKept) {
+  ProgramJob job = script("trap 'exit 0' INT; while :; do sleep 0.02; done");
+  job.time_limit_s = 0.5;
+  EXPECT_TRUE(run_job(job, options_).has_result());
+  const ProgramJobResult again = run_job(job, options_);
+  EXPECT_TRUE(again.has_result());
+  EXPECT_FALSE(again.repeated);
+  EXPECT_EQ(calls(), 1U);
+}
+
 TEST_F(ProgramJobTest, AStoppedRunBeginsAgainInAnEmptyFolder) {
   const std::string flag = "'" + (folder_ / "second").string() + "'";
   const ProgramJob job = script("if [ -e " + flag + " ]; then test ! -e left; exit; fi; trap 'exit 130' INT; touch left " + flag +

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/process/exit_code.h"
+#include "io/text/input_error.h"
 #include "io/text/whole_file.h"
 #include "tests/support/test_folder.h"
 
@@ -44,13 +45,31 @@ TEST(RunFolder, BeginsWithoutTheManifestOfAnEarlierRun) {
   write_whole(folder / "result.csv", "x");
   write_whole(folder / "run.checkpoint", "x");
   EXPECT_TRUE(run.is_own());
-  EXPECT_FALSE(RunFolder("menger-y", folder.path()).is_own());
   run.begin({"result.csv"});
   EXPECT_FALSE(run.is_own());
   EXPECT_FALSE(fs::exists(folder / "result.csv"));
   EXPECT_TRUE(fs::exists(folder / "run.checkpoint"));
   write_whole(folder / "manifest.json", "no JSON");
   EXPECT_FALSE(run.is_own());
+}
+
+TEST(RunFolder, RefusesResultsOfAnotherProgram) {
+  const tests::TestFolder folder;
+  RunFolder("menger-simulate", folder.path()).finish("a = 1\n", {});
+  write_whole(folder / "result.toml", "x");
+  try {
+    const RunFolder other("menger-inflate", folder.path());
+    FAIL() << "begins in the folder of another program";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              folder.path().string() + ": holds results of menger simulate: choose another folder with -o");
+  }
+  EXPECT_TRUE(fs::exists(folder / "result.toml"));
+  EXPECT_TRUE(RunFolder("menger-simulate", folder.path()).is_own()) << "the same program goes on";
+  for (const char* text : {"no JSON", "{}"}) {
+    write_whole(folder / "manifest.json", text);
+    EXPECT_FALSE(RunFolder("menger-inflate", folder.path()).is_own()) << "of nobody: " << text;
+  }
 }
 
 TEST(RunFolder, CountsTheTimeOfEarlierCalls) {

@@ -435,6 +435,46 @@ TEST(StudyTemplate, LeavesWhatAPresetGivesToThePreset) {
   }
 }
 
+/// A study with parts that its preset gives no values.
+struct Meadow {
+  double hay_kg = 5.0;
+  bool is_grazed = false;
+  bool is_fenced = false;
+  double cattle_kg = 0.0;
+  std::vector<double> wires_m;
+};
+
+void describe(StudyVisitor& visitor, Meadow& meadow) {
+  std::string preset = "small";
+  visitor.text({"preset", "Gives the values.", "\"small\""}, preset);
+  visitor.defaults_from("preset", [&] {
+    visitor.number({"hay_kg", "In a year.", "9"}, meadow.hay_kg, positive());
+    visitor.only_if(meadow.is_grazed, "a herd", [&] {
+      visitor.number({"cattle_kg", "Of an animal.", "600"}, meadow.cattle_kg, positive());
+    });
+    const auto fence = [&](bool is_fenced) { return [&meadow, is_fenced] { meadow.is_fenced = is_fenced; }; };
+    visitor.one_of({{"hedge", !meadow.is_fenced, fence(false),
+                     [&] {
+                       visitor.boolean({"hedge", "Has one.", "true"}, meadow.is_grazed);
+                     }},
+                    {"wires_m", meadow.is_fenced, fence(true), [&] {
+                       visitor.numbers({"wires_m", "Heights.", "[0.5, 1]"}, meadow.wires_m, positive(), {.fewest = 2});
+                     }}});
+  });
+}
+
+// Where the preset gives no value, a comment with the value of nothing would break the rule of its own key.
+TEST(StudyTemplate, ShowsExamplesWhereAPresetGivesNoValue) {
+  Meadow told;
+  StudyTemplateWriter writer;
+  describe(writer, told);
+  const std::string text = writer.text();
+  for (const char* part : {"#hay_kg = 5\n", "#cattle_kg = 600\n", "#wires_m = [0.5, 1]\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  EXPECT_EQ(told.cattle_kg, 0.0) << "only shown";
+  EXPECT_FALSE(told.is_fenced);
+}
+
 /// A study whose forms and parts are tables, which a file has after all keys.
 struct Pond {
   enum class Source { spring, pipe, rain };

@@ -52,6 +52,19 @@ TEST(Manifest, SurvivesBytesThatAreNoUtf8) {
   EXPECT_TRUE(nlohmann::json::parse(text).at("parameters").is_string());
 }
 
+TEST(Manifest, TellsTheTimeOfAProgramToItAlone) {
+  const tests::TestFolder folder;
+  const fs::path file = folder / "run.manifest.json";
+  EXPECT_EQ(seconds_of_manifest(file, "menger-x"), 0.0);
+  write_manifest_file(file, {.program = "menger-x", .parameters = "", .seed = {}, .seconds = 36000.5, .inputs = {}});
+  EXPECT_EQ(seconds_of_manifest(file, "menger-x"), 36000.5);
+  EXPECT_EQ(seconds_of_manifest(file, "menger-y"), 0.0);
+  for (const char* text : {"no JSON", "[1]", "{}", R"({"program": "menger-x"})", R"({"program": "menger-x", "seconds": "1"})"}) {
+    write_whole(file, text);
+    EXPECT_EQ(seconds_of_manifest(file, "menger-x"), 0.0) << text;
+  }
+}
+
 TEST(Manifest, HashOfResultsLeavesOutTimeAndPaths) {
   const tests::TestFolder folder;
   const auto hash = [&](const Manifest& manifest) {

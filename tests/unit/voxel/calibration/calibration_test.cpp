@@ -3,9 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
 
+#include "io/text/whole_file.h"
+#include "tests/support/test_folder.h"
 #include "tests/unit/voxel/calibration/calibration_samples.h"
+#include "voxel/calibration/calibration_run.h"
 #include "voxel/statics/load_case_slopes.h"
 
 namespace menger::voxel {
@@ -414,6 +421,31 @@ TEST(Calibration, StopsWhenAskedTo) {
   const Calibration found = calibrate(samples::problem(noisy_curves(samples::truth(), 15)), plan);
   EXPECT_EQ(found.fit().status, io::RunStatus::stopped);
   EXPECT_EQ(found.steps.size(), 1U);
+}
+
+TEST(CalibrationRun, StoppedFitLeavesTheResultsOfAnEarlierOne) {
+  CalibrationStudy study;
+  for (const meshes::LoadCase& load_case : samples::load_cases())
+    study.curves.push_back({.curve = samples::curve_of(load_case, samples::truth()), .file = {}, .hash = {}, .table_hash = {}});
+  study.plan = plan_of({CalibrationDetail::uniform});
+  const tests::TestFolder folder;
+  CalibrationRunOptions options{.pictures = false};
+  ASSERT_NE(run_calibration(study, samples::closed_forms, folder, options).calibration.ended().status, io::RunStatus::stopped);
+  const auto texts = [&] {
+    std::vector<std::string> found;
+    for (const char* file : {"parameters.toml", "result.toml", "details.csv", "residuals.csv", "manifest.json"})
+      found.push_back(io::read_whole(folder / file));
+    return found;
+  };
+  const std::vector<std::string> earlier = texts();
+  const std::atomic<bool> stop{true};
+  options.stop = &stop;
+  const CalibrationRunResult stopped = run_calibration(study, samples::closed_forms, folder, options);
+  EXPECT_EQ(stopped.calibration.ended().status, io::RunStatus::stopped);
+  EXPECT_EQ(texts(), earlier);
+  const tests::TestFolder empty;
+  (void)run_calibration(study, samples::closed_forms, empty, options);
+  EXPECT_TRUE(std::filesystem::is_empty(empty.path()));
 }
 
 }  // namespace

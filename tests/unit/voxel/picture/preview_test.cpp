@@ -102,22 +102,23 @@ TEST_F(Preview, ALargerRobotInARowIsDrawnLarger) {
 
 TEST_F(Preview, PlotsATrajectory) {
   const Trajectory trajectory{{0.0, {0.0, 0.0, 0.0}, {}}, {1.0, {0.01, 0.0, 0.0}, {}}, {2.0, {0.02, 0.01, 0.0}, {}}};
-  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
+  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, "walker", small_);
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   const Pixels pixels = count_pixels(folder_ / "plot.png");
   EXPECT_GT(pixels.blue, 100);  // the lines
+  EXPECT_GT(pixels.orange, 0);  // the end
   EXPECT_GT(pixels.white, pixels.width * pixels.height / 2);
 }
 
 TEST_F(Preview, PlotsABodyThatNeverMoved) {
   const Trajectory trajectory{{0.0, {0.0, 0.0, 0.0}, {}}, {1.0, {0.0, 0.0, 0.0}, {}}};
-  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, small_);
+  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", trajectory, 0.03, "walker", small_);
   if (!outcome.written) GTEST_SKIP() << outcome.missing;
   EXPECT_GT(count_pixels(folder_ / "plot.png").blue, 100);
 }
 
 TEST_F(Preview, PlotsNothingFromASingleRecord) {
-  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", {{0.0, {0.0, 0.0, 0.0}, {}}}, 0.03, small_);
+  const io::PictureOutcome outcome = plot_trajectory(folder_ / "plot.png", {{0.0, {0.0, 0.0, 0.0}, {}}}, 0.03, "walker", small_);
   EXPECT_FALSE(outcome.written);
   EXPECT_FALSE(outcome.missing.empty());
 }
