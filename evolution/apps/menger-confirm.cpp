@@ -166,6 +166,8 @@ int confirm_robots(const Arguments& arguments) {
   for (const fs::path& file : study_inputs(arguments.study)) io::note_input(manifest.inputs, file);
   // With the whole name of the table: a search may have run.manifest.json beside run.csv.
   io::write_manifest_file(fs::path(arguments.table) += ".manifest.json", manifest);
+  const fs::path earlier = fs::path(arguments.table).replace_extension(".manifest.json");  // the name of former versions
+  if (io::program_of_manifest(earlier) == "menger-confirm") io::remove_if_there(earlier);
   std::cout << robots.size() << (robots.size() == 1 ? " robot: " : " robots: ") << arguments.table.string() << std::endl;
   return io::exit_code::done;
 }

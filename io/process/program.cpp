@@ -14,6 +14,7 @@
 #include "io/process/plain_output.h"
 #include "io/process/standard_streams.h"
 #include "io/process/study_command.h"
+#include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/joined_text.h"
 #include "io/text/near_miss.h"
@@ -46,11 +47,11 @@ std::vector<std::string>& given_arguments() {
 /// command: "ch.toml: looks like a study of menger inflate: menger inflate ch.toml runs it. As a study of menger simulate: ".
 std::string hint_at_other_command(std::string_view program) {
   for (const std::string& argument : given_arguments()) {
-    if (const std::string command = command_of_study(argument, program); !command.empty()) {
-      const std::string own = "menger " + std::string(program.substr(std::string_view("menger-").size()));
-      return argument + ": looks like a study of menger " + command + ": menger " + command + " " + argument +
-             " runs it. As a study of " + own + ": ";
-    }
+    const std::string command = command_of_study(argument, program);
+    if (command.empty()) continue;
+    const std::string_view own = program.substr(std::string_view("menger-").size());
+    return formatted("%s: looks like a study of menger %s: menger %s %s runs it. As a study of menger %.*s: ", argument.c_str(),
+                     command.c_str(), command.c_str(), argument.c_str(), static_cast<int>(own.size()), own.data());
   }
   return {};
 }

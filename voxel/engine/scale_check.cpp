@@ -10,7 +10,6 @@
 #include "io/text/number_text.h"
 #include "voxel/engine/time_step.h"
 #include "voxel/engine/voxel_classes.h"
-#include "voxel/model/bond_damping.h"
 #include "voxel/model/surrogate_beams.h"
 
 namespace menger::voxel {
@@ -55,8 +54,7 @@ std::string unusable_solid_scales(const Physics& physics, double cell_edge_m, do
            io::number_text(physics.materials[0].youngs_modulus_Pa) + " and " +
            io::number_text(physics.materials[1].youngs_modulus_Pa) + scale;
   }
-  const double slower = std::max(1.0, physics.damping_ratios.bond) *
-                        bond_rate_factor(physics, physics.materials[0].density_kg_m3, physics.materials[1].density_kg_m3);
+  const double slower = slower_by_damping(physics, physics.materials[0], physics.materials[1]);
   const double smallest_step_s =
       physics.integration.time_step_fraction / (2.0 * std::numbers::pi * std::sqrt(stiffest / lightest)) / slower;
   if (!is_usable(smallest_step_s, number) || !is_usable(physics.integration.time_step_fraction, number)) {

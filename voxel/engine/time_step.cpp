@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "voxel/model/bond_damping.h"
@@ -13,20 +14,31 @@ namespace menger::voxel {
 
 namespace {
 
-/// Whether voxels of two materials weigh the same and resist alike. Friction may differ.
-bool bears_alike(const VoxelMaterial& a, const VoxelMaterial& b) {
-  return a.youngs_modulus_Pa == b.youngs_modulus_Pa && a.density_kg_m3 == b.density_kg_m3;
+/// Returns half of the largest stable step of the contacts of voxels of some materials, s; infinity without contacts.
+/// @param used whether the body has voxels of each material
+double step_of_contacts_s(const std::array<bool, 2>& used, double cell_edge_m, const Physics& physics) {
+  double largest_s = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    const VoxelMaterial& material = physics.materials[m];
+    if (physics.floor && used[m]) {
+      const double own = std::sqrt(material.youngs_modulus_Pa * cell_edge_m / voxel_mass_kg(material, cell_edge_m));
+      largest_s = std::min(largest_s, largest_contact_step_s(2.0 * own * own, 2.0 * physics.damping_ratios.collision * own));
+    }
+    for (std::size_t other = m; physics.collisions.exclusion_depth.has_value() && other < used.size(); ++other) {
+      if (used[m] && used[other])
+        largest_s = std::min(largest_s, largest_collision_step_s(material, physics.materials[other], cell_edge_m, physics));
+    }
+  }
+  return 0.5 * largest_s;
 }
 
-/// Returns by what the explicit damping of a beam between two materials shortens its step, so that a step takes no more of the
-/// fastest motion than beams of one density do at a ratio of 1.
+}  // namespace
+
 double slower_by_damping(const Physics& physics, const VoxelMaterial& a, const VoxelMaterial& b) {
   if (physics.integration.bond_damping != BondDamping::explicit_step) return 1.0;
   const double factor = bond_rate_factor(physics, a.density_kg_m3, b.density_kg_m3);
   return std::max(1.0, physics.damping_ratios.bond * factor);
 }
-
-}  // namespace
 
 double voxel_mass_kg(const VoxelMaterial& material, double cell_edge_m) {
   return material.density_kg_m3 * cell_edge_m * cell_edge_m * cell_edge_m;
@@ -43,9 +55,7 @@ double largest_contact_step_s(double stiffness_per_mass, double damping_per_mass
   return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
 }
 
-double largest_mixed_collision_step_s(double cell_edge_m, const Physics& physics) {
-  const VoxelMaterial& a = physics.materials[0];
-  const VoxelMaterial& b = physics.materials[1];
+double largest_collision_step_s(const VoxelMaterial& a, const VoxelMaterial& b, double cell_edge_m, const Physics& physics) {
   const auto damping = [&](const VoxelMaterial& material) {
     return physics.damping_ratios.collision *
            std::sqrt(voxel_mass_kg(material, cell_edge_m) * material.youngs_modulus_Pa * cell_edge_m);
@@ -82,10 +92,7 @@ double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const
     largest = std::max(largest, modulus_Pa * cell_edge_m / mass);
   }
   largest *= 1.0 + 2.0 * effective_coupling(physics);
-  const double recommended_s = 1.0 / (2.0 * std::numbers::pi * std::sqrt(largest));
-  const bool may_mix = used[0] && used[1] && physics.collisions.exclusion_depth.has_value();
-  if (!may_mix || bears_alike(physics.materials[0], physics.materials[1])) return recommended_s;
-  return std::min(recommended_s, 0.5 * largest_mixed_collision_step_s(cell_edge_m, physics));
+  return std::min(1.0 / (2.0 * std::numbers::pi * std::sqrt(largest)), step_of_contacts_s(used, cell_edge_m, physics));
 }
 
 double largest_standing_step_s(const FloorCoefficients<double>& floor, double mass_kg, double inertia_kg_m2, double edge_m) {

@@ -20,9 +20,11 @@ double beam_modulus_Pa(const VoxelMaterial& a, const VoxelMaterial& b);
 ///
 /// With lateral coupling c the step is shorter by sqrt(1 + 2 c). Strong damping and two densities may need shorter steps:
 /// - Where the damping of a beam is explicit, its E L counts max(1, zeta f)^2 times, with f of bond_rate_factor.
-/// - With collisions, a body of two materials takes at most half of the largest_mixed_collision_step_s.
+/// - With a floor or collisions the step is at most half of the largest stable one of a voxel on the floor, and of any two that
+///   collide (largest_collision_step_s).
 ///
-/// Where both materials have one modulus and density, only the beams count, or the voxel without beams. @cite hiller2014dynamic
+/// Where both materials have one modulus and density, and damping ratios are at most 1, only the beams count, or the voxel
+/// without beams. @cite hiller2014dynamic
 double recommended_time_step_s(const Lattice& lattice, double cell_edge_m, const Physics& physics);
 
 /// Returns the recommended step for the classes of a calibrated body, s. k/m is then the largest of
@@ -45,9 +47,13 @@ double recommended_time_step_s(const meshes::Polycube& body, double cell_edge_m,
 /// @param damping_per_mass c, 1/s
 double largest_contact_step_s(double stiffness_per_mass, double damping_per_mass);
 
-/// Returns the largest stable step, s, of two free solid voxels of the two materials that press on each other. A light voxel is
-/// damped by the mean of both dampings (contact_force), which for a stiff and heavy partner is far more than its own.
-double largest_mixed_collision_step_s(double cell_edge_m, const Physics& physics);
+/// Returns the largest stable step, s, of two free solid voxels that press on each other. A light voxel is damped by the mean of
+/// both dampings (contact_force), which for a stiff and heavy partner is far more than its own.
+double largest_collision_step_s(const VoxelMaterial& a, const VoxelMaterial& b, double cell_edge_m, const Physics& physics);
+
+/// Returns by what the explicit damping of a beam between two materials shortens its step, >= 1, so that a step takes no more of
+/// the fastest motion than beams of one density do at a ratio of 1.
+double slower_by_damping(const Physics& physics, const VoxelMaterial& a, const VoxelMaterial& b);
 
 /// Returns the largest stable step, s, of a voxel that stands on all feet of a wall (FootContact) and rocks on them without
 /// sliding.

@@ -237,6 +237,23 @@ TEST(InflationPath, EndsAtTheLimitPointUnderControlByPressure) {
   for (const PathPoint& point : report.points) EXPECT_EQ(point.negative_pivots.value_or(0), 0);
 }
 
+// Beyond its limit a sphere is in equilibrium, but not in a stable one. At the same pressure the search has nothing to do, and
+// needs no factorisation that would tell.
+TEST(InflationPath, TellsAnUnstableStateAlsoWhereTheSearchNeedsNoFactorisation) {
+  const meshes::HexahedralMesh mesh = sphere();
+  PathRun run(mesh, sphere_body(mesh));
+  const PathReport beyond = run.follow(volume_drive({1.0, 20.0}), {});
+  ASSERT_EQ(beyond.status, io::RunStatus::completed) << beyond.reason;
+  ASSERT_EQ(beyond.limit_points.size(), 1U);
+  PathPoint point = beyond.points.back();
+  point.s = 0.0;
+  const double pressure_Pa = point.pressures_Pa[0];
+  ASSERT_LT(pressure_Pa, beyond.limit_points[0].pressure_Pa);
+  const PathRestart restart{.s = {0.0}, .states = {run.states.back()}, .points = {point}, .next_step = 1.0};
+  const PathReport held = run.follow(pressure_drive({pressure_Pa, pressure_Pa}), {}, &restart);
+  EXPECT_EQ(held.status, io::RunStatus::limit_point) << held.reason;
+}
+
 TEST(InflationPath, PassesTheLimitPointUnderControlByVolume) {
   const auto [limit_Pa, stretch] = sphere_limit(sphere_modulus_Pa, sphere_outer_m / sphere_inner_m);
   const meshes::HexahedralMesh mesh = sphere();

@@ -325,6 +325,18 @@ TEST(NewtonSolver, UsesATangentInTheNextSolvesWhileStepsShrink) {
   EXPECT_EQ(equation.solver().tangents(), 2);
 }
 
+// A full first step would go past the solution by more than it began with. What the shortened one leaves is at least its rest.
+TEST(NewtonSolver, CountsWhatAShortenedStepLeaves) {
+  OneEquation equation = arc_tangent();
+  equation.options.steps = BracketedSteps{};
+  equation.options.reuse = ReuseWhileStepsShrink{[](Vec step) { return std::abs(VectorReader(step)[0]); }};
+  ASSERT_EQ(equation.solve(2.0).end, NewtonEnd::solved);
+  const double step = 5.0 * std::atan(2.0);
+  const double length = (2.0 - equation.visited[1]) / step;
+  ASSERT_LT(length, 0.8);
+  EXPECT_GE(equation.distances[1], (1.0 - length) * step * (1.0 - 1e-12));
+}
+
 // With the tangent of the start errors shrink by a constant ratio r, and a step d leaves d r / (1 - r).
 TEST(NewtonSolver, EstimatesWhatIsLeftFromTheRatioOfSteps) {
   OneEquation equation;

@@ -98,12 +98,26 @@ TEST(RecommendedTimeStep, IsStableForCollisionsOfLightSoftWithHeavyStiffVoxels) 
   const double per_mass = 1.01;
   const double k = 2.0 * (200.0 / 101.0) * per_mass * 1e7;
   const double c = 0.8 * 101.0 * per_mass * std::sqrt(1e7);
-  const double limit_s = largest_mixed_collision_step_s(0.01, physics);
+  const double limit_s = largest_collision_step_s(physics.materials[0], physics.materials[1], 0.01, physics);
   EXPECT_NEAR((k * limit_s + 2.0 * c) * limit_s, 4.0, 1e-12);
   EXPECT_DOUBLE_EQ(recommended_time_step_s(table_on_feet(), 0.01, physics), 0.5 * limit_s);
   physics.collisions.exclusion_depth.reset();
   EXPECT_GT(0.9 * recommended_time_step_s(table_on_feet(), 0.01, physics), limit_s)
       << "the beams alone allow more than is stable";
+}
+
+TEST(RecommendedTimeStep, IsShorterWithStrongDampingOfContacts) {
+  Physics physics;
+  physics.damping_ratios.collision = 10.0;
+  const double own = std::sqrt(1e7);
+  const double limit_s = largest_contact_step_s(2.0 * own * own, 20.0 * own);
+  EXPECT_LT(limit_s * own, 1.0 / (2.0 * std::numbers::pi)) << "of the beams";
+  // Two voxels that collide move as half the mass against one.
+  EXPECT_DOUBLE_EQ(recommended_time_step_s(meshes::bar(2), 0.01, physics),
+                   0.5 * largest_contact_step_s(4.0 * own * own, 40.0 * own));
+  physics.collisions.exclusion_depth.reset();
+  EXPECT_DOUBLE_EQ(recommended_time_step_s(meshes::bar(2), 0.01, physics), 0.5 * limit_s);
+  EXPECT_GT(recommended_time_step_s(meshes::bar(2), 0.01, without_contacts(physics)), limit_s);
 }
 
 TEST(RecommendedTimeStep, IsShorterWhereHeavyVoxelsDampLightOnes) {

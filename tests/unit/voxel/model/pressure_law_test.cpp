@@ -121,8 +121,8 @@ TEST(PressureLaw, KeepsAPlateLongerThanItsDrawIn) {
   // A plate that stretches is shortest inside the range of pressures; a length is left there at any draw-in below 1.
   for (const double slope : {0.0, 1e-12, 1e-7, 1e-5, 1e-3}) {
     const PressureLaw law{.slope_per_Pa = slope, .vacuum_softening_per_Pa = 1e-4, .arc = -0.999, .arc_per_Pa = 1.0};
-    for (const double pressure_Pa : extreme_pressures(law, 0.0, highest_pressure_Pa))
-      EXPECT_GE(law.value(pressure_Pa), law.arc) << slope << " " << pressure_Pa;
+    constexpr int count = 10000;
+    for (int i = 0; i <= count; ++i) EXPECT_GE(law.value(highest_pressure_Pa * i / count), law.arc) << slope << " " << i;
   }
 }
 
