@@ -1,6 +1,6 @@
 # What does the evolution of fractal robots find? The paper's main experiment.
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "two_scales_$seed" "8 min of two cores" "100 generations at the scales of 3 and 9 cells"
+  part "two_scales_$seed" "11 min of two cores" "140 generations at the scales of 3 and 9 cells"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "in_pieces_$seed" "2 min of two cores" "20 generations where aggregates may fall apart"
@@ -9,7 +9,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "balanced_$seed" "2 min of two cores" "20 generations with beams whose moments balance their forces"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "random_search_$seed" "6 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
+  part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
 part_on_request heredity "1 min" "how much of a parent's speed its mutants keep, of the trials here and of non_fractal whose archives are there"

@@ -1,6 +1,6 @@
 # Does a body walk as well if its larger scales are evolved apart from it? The paper's control.
 for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
-  part "two_scales_$seed" "8 min of two cores" "100 generations at the scales of 3 and 9 cells"
+  part "two_scales_$seed" "11 min of two cores" "140 generations at the scales of 3 and 9 cells"
 done
 part_on_request three_scales_40 "about 1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "about 9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
