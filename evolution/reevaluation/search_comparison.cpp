@@ -18,11 +18,12 @@ constexpr std::array models{EvaluationModel::voxels, EvaluationModel::finite_ele
 void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& search) {
   const fs::path own = folder / "reevaluated/reevaluation.csv";
   const fs::path beside = folder / "reevaluation.csv";  // as in former versions
-  if (!io::is_file(own) && !io::is_file(beside)) {
+  const fs::path file = io::is_file(own) ? own : beside;
+  if (!io::is_file(file)) {
     throw io::InputError(folder.string() + ": has no reevaluation.csv: give menger reevaluate -o " +
                          (folder / "reevaluated").string());
   }
-  const io::CsvContents table = io::read_csv(io::is_file(own) ? own : beside);
+  const io::CsvContents table = io::read_csv(file);
   double spent = search.voxel_steps + rate * search.element_steps;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     ComparedRobot robot{.body_lengths = table.optional_number(row, "elements_body_lengths"),

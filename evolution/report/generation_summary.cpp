@@ -192,8 +192,8 @@ std::string summary_legend(const RunView& run) {
   return "gen: generation; F: fitness of the fittest survivor; " + displacements + ": its displacement at " +
          (has_one ? "this level" : "these levels") + " (" + units +
          "); H: its Hausdorff dimension; age: generations since its first ancestor was drawn at random; mean F: of all "
-         "survivors; "
-         "evals, cached, pruned: evaluations made, known before, not needed; time: of the generation, and what is left";
+         "survivors; evals, cached, pruned: evaluations made, known before, not needed; time: of the generation, and what is "
+         "left";
 }
 
 std::string summary_header(const RunView& run) {

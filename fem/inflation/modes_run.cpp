@@ -8,6 +8,7 @@
 #include "fem/inflation/modes_files.h"
 #include "fem/inflation/observables.h"
 #include "fem/inflation/wall_points.h"
+#include "fem/statics/path_drives.h"
 #include "io/process/interrupt.h"
 #include "io/process/run_folder.h"
 #include "io/text/input_error.h"
@@ -131,11 +132,8 @@ class ModesRun {
   [[nodiscard]] double end() const { return static_cast<double>(problem_.drives.front().values.size()) - 1.0; }
 
   [[nodiscard]] bool is_wanted(double s) const {
-    const auto meets = [s](double station) { return std::abs(s - station) < 1e-12; };
-    if (options_.pressure_Pa) return meets(end());
-    if (s < 0.0) return false;  // the dead loads are still growing
-    const auto& stations = study_.path.stations;
-    return meets(std::round(s)) || std::any_of(stations.begin(), stations.end(), meets);
+    if (options_.pressure_Pa) return s >= end() - 1e-12;
+    return s >= 0.0 && is_knot_or_station(s, study_.path.stations);  // before, the dead loads are still growing
   }
 
   void follow() {

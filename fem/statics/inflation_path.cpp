@@ -112,9 +112,7 @@ EquilibriumReport PathFollower::solve_at(double s, BodyState& state, int order) 
 /// knots and stations, and where the search needed no factorisation. Iterative solvers tell nothing.
 bool PathFollower::is_unstable(const BodyState& state, double s, EquilibriumReport& report) {
   if (equilibrium_.linear_choice().method != LinearMethod::direct) return false;
-  const auto is_here = [s](double station) { return std::abs(station - s) < 1e-12; };
-  const bool is_reported = is_knot(s) || std::ranges::any_of(options_.stations, is_here);
-  if (report.negative_pivots == 0 && !is_reported) return false;
+  if (report.negative_pivots == 0 && !is_knot_or_station(s, options_.stations)) return false;
   ++report_.factorisations;
   report.negative_pivots = equilibrium_.count_negative_pivots(state, schedule_.dead_load_factor_at(s));
   return report.negative_pivots.value_or(0) > 0;

@@ -103,4 +103,8 @@ double PathSchedule::next_station(double s, std::span<const double> stations) co
 
 bool is_knot(double s) { return std::abs(s - std::round(s)) < rounding; }
 
+bool is_knot_or_station(double s, std::span<const double> stations) {
+  return is_knot(s) || std::ranges::any_of(stations, [s](double station) { return std::abs(s - station) < rounding; });
+}
+
 }  // namespace menger::fem

@@ -76,4 +76,7 @@ class PathSchedule {
 /// Whether a parameter of a path is a knot, where drives may have corners.
 bool is_knot(double s);
 
+/// Whether a parameter of a path is a knot or one of the stations, at which states are asked for.
+bool is_knot_or_station(double s, std::span<const double> stations);
+
 }  // namespace menger::fem

@@ -18,8 +18,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 11> top_keys
     {"locomote", "design drive dynamics elements gas ground loads material output piston pressure schema_version sweep time "},
     {"load-cases",
      "body bulk_modulus_Pa case density_kg_per_m3 elements largest_stretch law law_name law_variant relative_uncertainty "
-     "silicone "
-     "smallest_stretch volumetric "},
+     "silicone smallest_stretch volumetric "},
     {"calibrate", "bounds cases curves fit frequency_response holds_for silicone weights "},
     {"validate", "actuation_amplitude actuation_pressure_Pa aim curves load_cases parameters "},
     {"tradeoff", "design finite_elements gait observables pressure_Pa search settling silicone target_relative_errors voxels "},

@@ -39,7 +39,7 @@ struct Rows {
 Rows rows_in(const TensileTest& test, const StrainRange& range) {
   Rows rows;
   for (std::size_t i = 0; i < test.strain.size(); ++i) {
-    if (test.strain[i] < range.lowest || test.strain[i] > range.highest) continue;
+    if (!range.holds(test.strain[i])) continue;
     rows.stretch.push_back(1.0 + test.strain[i]);
     rows.stress_Pa.push_back(test.stress_Pa[i]);
   }
@@ -152,7 +152,7 @@ bool has_empty_term(const HyperelasticLaw& law) {
 FittedRows fitted_rows(const TensileTest& test, const StrainRange& range) {
   FittedRows rows;
   for (const double strain : test.strain) {
-    if (strain < range.lowest || strain > range.highest) continue;
+    if (!range.holds(strain)) continue;
     rows.lowest_strain = rows.count == 0 ? strain : std::min(rows.lowest_strain, strain);
     rows.highest_strain = rows.count == 0 ? strain : std::max(rows.highest_strain, strain);
     ++rows.count;

@@ -18,6 +18,8 @@ namespace menger::materials {
 struct StrainRange {
   double lowest = 0.0;
   double highest = 1.0;
+
+  [[nodiscard]] bool holds(double strain) const { return lowest <= strain && strain <= highest; }
 };
 
 /// The rows of a test that lie in a range of strains.

@@ -22,11 +22,9 @@ struct Span {
 
 Span span_of(const FitReport& report, const TensileTest& test) {
   Span span;
-  for (const double strain : test.strain) {
-    if (strain < report.range.lowest || strain > report.range.highest) continue;
-    span.low = std::min(span.low, 1.0 + strain);
-    span.fitted = std::max(span.fitted, 1.0 + strain);
-  }
+  const FittedRows rows = fitted_rows(test, report.range);
+  span.low = std::min(span.low, 1.0 + rows.lowest_strain);
+  span.fitted = std::max(span.fitted, 1.0 + rows.highest_strain);
   span.high = span.fitted + beyond * (span.fitted - 1.0);
   return span;
 }

@@ -78,7 +78,7 @@ io::CsvTable curves_of(const FitReport& report, const TensileTest& test) {
   for (const LawFit& fit : report.ranking) columns.push_back(fit.name + "_stress_Pa");
   io::CsvTable table(columns);
   for (std::size_t i = 0; i < test.strain.size(); ++i) {
-    if (test.strain[i] < report.range.lowest || test.strain[i] > report.range.highest) continue;
+    if (!report.range.holds(test.strain[i])) continue;
     std::vector<io::CsvCell> cells{io::cell(test.strain[i]), io::cell(test.stress_Pa[i])};
     for (const LawFit& fit : report.ranking) {
       const NominalStress stress = nominal_stress(fit.law, LoadingMode::uniaxial, 1.0 + test.strain[i]);
