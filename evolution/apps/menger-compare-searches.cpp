@@ -2,8 +2,10 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +13,9 @@
 #include "evolution/reevaluation/search_comparison.h"
 #include "io/process/exit_code.h"
 #include "io/process/program.h"
+#include "io/process/run_folder.h"
 #include "io/text/input_error.h"
+#include "io/text/toml_text.h"
 #include "io/text/whole_file.h"
 
 namespace {
@@ -37,7 +41,7 @@ constexpr const char* example =
     "    menger reevaluate $model.sqlite --top 16 -o $model/reevaluated\n"
     "  done\n"
     "  menger compare-searches voxels elements -o comparison\n"
-    "writes comparison.csv, comparison.png and summary.txt.\n"
+    "writes comparison.csv, comparison.png, summary.txt and manifest.json.\n"
     "Exit codes: 0 done, 2 wrong input.";
 
 std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
@@ -56,18 +60,34 @@ std::optional<int> parse(Arguments& arguments, int argc, char** argv) {
   return io::parse_arguments(app, argc, argv);
 }
 
+/// The options and the folders, in their order, as TOML.
+std::string parameters_text(const Arguments& arguments) {
+  io::TomlText text;
+  std::vector<std::string> folders;
+  for (const fs::path& folder : arguments.searches) folders.push_back(folder.string());
+  text.add("searches", folders).add("voxel_steps_per_element_step", arguments.options.voxel_steps_per_element_step);
+  if (std::isfinite(arguments.options.budget_element_steps))
+    text.add("budget_element_steps", arguments.options.budget_element_steps);
+  return text.text();
+}
+
 int compare(const Arguments& arguments) {
+  const io::RunFolder folder("menger-compare-searches", arguments.folder);
   std::vector<ComparedSearch> searches;
-  for (const fs::path& folder : arguments.searches) searches.push_back(read_compared_search(folder, arguments.options));
+  for (const fs::path& one : arguments.searches) searches.push_back(read_compared_search(one, arguments.options));
   io::require_writable_folder(arguments.folder);
   const std::string text = comparison_text(searches, arguments.options);
-  comparison_table(searches, arguments.options).write(arguments.folder / "comparison.csv");
-  io::write_whole(arguments.folder / "summary.txt", text);
+  folder.begin({"comparison.csv", "comparison.png", "summary.txt"});
+  comparison_table(searches, arguments.options).write(folder.file("comparison.csv"));
+  io::write_whole(folder.file("summary.txt"), text);
   if (!arguments.no_pictures) {
     const io::PictureOutcome picture =
-        io::write_chart(arguments.folder / "comparison.png", comparison_chart(searches), {.width_px = 2000, .height_px = 900});
+        io::write_chart(folder.file("comparison.png"), comparison_chart(searches), {.width_px = 2000, .height_px = 900});
     if (!picture.written) std::cout << "note: comparison.png: not drawn: " << picture.missing << "\n";
   }
+  std::map<std::string, std::string> inputs;
+  for (const ComparedSearch& search : searches) inputs.insert(search.inputs.begin(), search.inputs.end());
+  folder.finish(parameters_text(arguments), inputs);
   std::cout << text << "results in " << arguments.folder.string() << std::endl;
   return io::exit_code::done;
 }

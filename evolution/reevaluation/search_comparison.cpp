@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "io/text/content_hash.h"
 #include "io/text/formatted.h"
 #include "io/text/input_error.h"
 #include "io/text/is_file.h"
@@ -24,6 +25,7 @@ void read_reevaluation(const fs::path& folder, double rate, ComparedSearch& sear
                          (folder / "reevaluated").string());
   }
   const io::CsvContents table = io::read_csv(file);
+  io::note_input(search.inputs, file);
   double spent = search.voxel_steps + rate * search.element_steps;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     ComparedRobot robot{.body_lengths = table.optional_number(row, "elements_body_lengths"),
@@ -79,6 +81,7 @@ ComparedSearch read_compared_search(const fs::path& folder, const ComparisonOpti
   ComparedSearch search;
   search.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
   const io::CsvContents costs = io::read_csv(folder / "costs.csv");
+  io::note_input(search.inputs, folder / "costs.csv");
   for (const double steps : costs.numbers("voxel_steps", io::non_negative())) search.voxel_steps += steps;
   for (const double steps : costs.numbers("element_steps", io::non_negative())) search.element_steps += steps;
   if (search.element_steps > 0.0)

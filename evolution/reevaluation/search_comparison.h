@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct ComparedSearch {
   double voxel_steps = 0.0;                         ///< of the search
   double element_steps = 0.0;                       ///< of the search
   double reevaluation_element_steps = 0.0;          ///< of the re-evaluations
+  std::map<std::string, std::string> inputs;        ///< the tables that were read, with the hashes of their contents
 
   /// Returns the best robot by re-evaluation, which is the outcome of the search; none if all failed.
   [[nodiscard]] std::optional<ComparedRobot> best() const;

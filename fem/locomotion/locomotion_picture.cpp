@@ -164,11 +164,11 @@ io::PictureOutcome draw_moved_body(const std::filesystem::path& file, const mesh
   });
 }
 
-io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const LocomotionResult& result,
+io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const LocomotionResult& result, const std::string& title,
                                    const io::PictureStyle& style) {
   if (result.records.size() < 2) return {.missing = "a trajectory of at least two records"};
   std::array<io::ChartSeries, 3> over_time{{{.name = "x"}, {.name = "y"}, {.name = "z"}}};
-  io::ChartSeries from_above;
+  io::ChartSeries from_above{.colour = io::chart_colour(0)};
   for (const WalkRecord& record : result.records) {
     const Point displacement = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -178,14 +178,24 @@ io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const Loco
     from_above.x.push_back(displacement[0] / result.body_length_m);
     from_above.y.push_back(displacement[1] / result.body_length_m);
   }
+  const io::ChartSeries start{.name = "start",
+                              .x = {from_above.x.front()},
+                              .y = {from_above.y.front()},
+                              .marks = io::Marks::points,
+                              .colour = io::chart_ink};
+  const io::ChartSeries end{.name = "end",
+                            .x = {from_above.x.back()},
+                            .y = {from_above.y.back()},
+                            .marks = io::Marks::points,
+                            .colour = io::chart_colour(1)};
   const io::ChartPanel displacement{.x = {.title = "time (s)"},
                                     .y = {.title = "displacement of the centre (body lengths)", .least_span = least_chart_span},
                                     .series = {over_time.begin(), over_time.end()}};
   const io::ChartPanel path{.x = {.title = "path from above: x (body lengths)", .least_span = least_chart_span},
                             .y = {.title = "y (body lengths)", .least_span = least_chart_span},
-                            .series = {from_above},
+                            .series = {start, end, from_above},
                             .equal_scale = true};
-  return io::write_chart(file, {.panels = {displacement, path, pressure_panel(result)}}, style);
+  return io::write_chart(file, {.title = title, .panels = {displacement, path, pressure_panel(result)}}, style);
 }
 
 }  // namespace menger::fem

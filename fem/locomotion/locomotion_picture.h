@@ -23,8 +23,9 @@ io::PictureOutcome draw_moved_body(const std::filesystem::path& file, const mesh
                                    const LocomotionResult& result, const std::string& caption,
                                    const io::PictureStyle& style = {});
 
-/// Plots the displacement over time, the path from above, and the pressures of the plena.
-io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const LocomotionResult& result,
+/// Plots the displacement over time, the path from above with its start and its end, and the pressures of the plena.
+/// @param title of the plot: the name of the design
+io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const LocomotionResult& result, const std::string& title,
                                    const io::PictureStyle& style = {});
 
 }  // namespace menger::fem

@@ -58,7 +58,7 @@ class LocomotionRun {
 
   void begin_or_resume() {
     // From here on no file of an earlier run may pass for one of this run, also if this one is killed.
-    folder_.begin({"locomotion.toml", "trajectory.csv", "robot.png", "trajectory.png"});
+    folder_.begin({locomotion_files.begin(), locomotion_files.end()});
     std::vector<double> frame_times_s;
     if (earlier_s_) {
       folder_.add_seconds(*earlier_s_);
@@ -127,7 +127,7 @@ class LocomotionRun {
       result_.notes.push_back("no pictures: " + robot.missing);
       return;
     }
-    if (const auto plot = plot_locomotion(folder_.file("trajectory.png"), result_); !plot.written)
+    if (const auto plot = plot_locomotion(folder_.file("trajectory.png"), result_, study_.design.name); !plot.written)
       result_.notes.push_back("no plot of the trajectory: " + plot.missing);
   }
 

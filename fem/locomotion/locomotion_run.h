@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string_view>
 
 #include "fem/locomotion/locomotion_result.h"
 #include "fem/locomotion/locomotion_study.h"
@@ -27,6 +29,11 @@ struct LocomotionRunOptions {
   std::function<void(double time_s)> progress{};
   LocomotionMaker make = explicit_walk_dynamics;  ///< makes the dynamics of the study
 };
+
+/// The files of results that a walk or a sweep leaves in a folder, besides frames and checkpoint. A run begins by removing them,
+/// so that a sweep does not lie beside a walk of an earlier study.
+inline constexpr std::array<std::string_view, 6> locomotion_files{"locomotion.toml", "trajectory.csv", "robot.png",
+                                                                  "trajectory.png",  "sweep.csv",      "sweep.png"};
 
 /// Runs a study and writes its results into `folder`: trajectory.csv, frames.pvd with frames/frame_0000.vtu ..., robot.png,
 /// trajectory.png, manifest.json, locomotion.checkpoint, and as the last of them locomotion.toml.

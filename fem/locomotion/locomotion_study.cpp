@@ -26,7 +26,6 @@ std::string locomotion_text(const LocomotionStudy& study) {
   LocomotionStudy deciding = study;
   deciding.threads = LocomotionStudy{}.threads;
   deciding.output.pictures = LocomotionOutput{}.pictures;
-  deciding.sweep.reset();
   return io::described_text(std::move(deciding));
 }
 

@@ -53,8 +53,8 @@ struct LocomotionStudy : PreparedWalk {
   std::map<std::string, std::string> inputs;  ///< content hash of every file that was read, with the study's own
 };
 
-/// Returns everything that the records and frames of a run depend on: the study with defaults filled in and the content of its
-/// files inserted. Equal texts give equal files.
+/// Returns everything that the records and frames of a walk or a sweep depend on: the study with defaults filled in and the
+/// content of its files inserted. Equal texts give equal files.
 std::string locomotion_text(const LocomotionStudy& study);
 
 }  // namespace menger::fem

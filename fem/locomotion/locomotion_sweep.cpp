@@ -1,11 +1,13 @@
 #include "fem/locomotion/locomotion_sweep.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
 #include "fem/locomotion/locomotion_picture.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/picture/chart.h"
+#include "io/process/run_folder.h"
 #include "io/shown/shown_column.h"
 #include "io/text/formatted.h"
 #include "io/text/toml_substitution.h"
@@ -80,24 +82,28 @@ std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study) {
 
 std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const fs::path& folder, const LocomotionRunOptions& options,
                                  const std::function<void(std::size_t number, const SweepCase& done)>& ran) {
+  io::RunFolder own("menger-locomote", folder);
   const std::vector<LocomotionStudy> studies = sweep_studies(study);
   // All cases are checked first: one that cannot begin is found before the others have run for hours, and before files of an
   // earlier sweep are removed.
   for (std::size_t n = 0; n < studies.size(); ++n) check_locomotion(studies[n], folder / case_folder(n + 1), options);
   io::require_writable_folder(folder);
-  for (const char* name : {"sweep.csv", "sweep.png"}) io::remove_if_there(folder / name);
+  own.begin({locomotion_files.begin(), locomotion_files.end()});
   std::vector<SweepCase> cases;
   for (std::size_t n = 0; n < studies.size(); ++n) {
+    const double before_s = own.seconds();
     cases.push_back({study.sweep->values[n], run_locomotion(studies[n], folder / case_folder(n + 1), options)});
+    own.add_seconds(std::max(0.0, cases.back().result.seconds - (own.seconds() - before_s)));  // of calls that it went on from
     sweep_table(*study.sweep, cases).write(folder / "sweep.csv");
     if (ran) ran(n + 1, cases.back());
-    if (cases.back().result.status == io::RunStatus::stopped) return cases;
+    if (cases.back().result.status == io::RunStatus::stopped) break;
   }
-  if (study.output.pictures) {
+  if (study.output.pictures && cases.back().result.status != io::RunStatus::stopped) {
     const io::Chart chart{.panels = {speeds_panel(*study.sweep, cases), paths_panel(*study.sweep, cases)}};
     if (const auto picture = io::write_chart(folder / "sweep.png", chart); !picture.written)
       cases.back().result.notes.push_back("no chart of the sweep: " + picture.missing);
   }
+  own.finish(locomotion_text(study), study.inputs);
   return cases;
 }
 

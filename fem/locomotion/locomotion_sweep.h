@@ -25,9 +25,11 @@ struct SweepCase {
 std::vector<LocomotionStudy> sweep_studies(const LocomotionStudy& study);
 
 /// Runs all cases of a sweep, each into its own folder case_01, case_02, ... (see run_locomotion). Writes sweep.csv after each
-/// case and sweep.png at the end. A case that fails does not stop the others. After a stop, the same call resumes the sweep.
+/// case, sweep.png at the end, and manifest.json. A case that fails does not stop the others. After a stop, the same call resumes
+/// the sweep.
 /// @param ran called after each case with its number, from 1
 /// @return the cases that were run
+/// @throws io::InputError if the folder holds results of another program, or a case cannot begin; no case has run then
 std::vector<SweepCase> run_sweep(const LocomotionStudy& study, const std::filesystem::path& folder,
                                  const LocomotionRunOptions& options = {},
                                  const std::function<void(std::size_t number, const SweepCase& done)>& ran = {});

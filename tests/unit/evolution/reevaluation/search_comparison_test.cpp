@@ -44,6 +44,9 @@ TEST_F(SearchComparison, TheOutcomeIsTheBestByFiniteElements) {
   EXPECT_FALSE(both.robots[1].body_lengths) << "it failed";
   EXPECT_EQ(both.best()->body_lengths, 0.3);
   EXPECT_EQ(both.best()->search_body_lengths, 0.2);
+  EXPECT_EQ(both.inputs.size(), 2U);
+  EXPECT_TRUE(both.inputs.contains((folder_ / "both_1/costs.csv").string()));
+  EXPECT_TRUE(both.inputs.contains((folder_ / "both_1/reevaluation.csv").string()));
   const ComparedSearch plain = read("plain_1/");
   EXPECT_EQ(plain.model, EvaluationModel::voxels);
   EXPECT_EQ(plain.name, "plain_1");

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <string>
 
+#include "io/process/run_folder.h"
 #include "io/text/csv_table.h"
+#include "io/text/manifest.h"
 #include "io/text/whole_file.h"
 #include "tests/support/input_error_message.h"
 #include "tests/support/test_folder.h"
@@ -90,6 +92,33 @@ TEST(LocomotionSweep, GoesOnWithTheCaseThatWasStopped) {
   const auto cases = run_sweep(study, folder);
   EXPECT_EQ(cases[1].result.status, io::RunStatus::completed);
   EXPECT_EQ(cases[0].result.seconds, stopped[0].result.seconds) << "was not computed again";
+  EXPECT_EQ(io::program_of_manifest(folder / "manifest.json"), "menger-locomote");
+  EXPECT_GE(io::seconds_of_manifest(folder / "manifest.json", "menger-locomote"), stopped[0].result.seconds)
+      << "with the calls that it went on from";
+}
+
+TEST(LocomotionSweep, RefusesTheFolderOfAnotherCommand) {
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
+  io::RunFolder("menger-simulate", folder).finish("", {});
+  const std::string study = base + "[sweep]\nkeys = [\"ground.kinetic_friction\"]\nvalues = [0.1]\n";
+  const std::string message = message_of([&] { (void)run_sweep(sample_study(study), folder); });
+  EXPECT_NE(message.find("holds results of menger simulate"), std::string::npos) << message;
+  EXPECT_FALSE(fs::exists(folder / "case_01"));
+}
+
+TEST(LocomotionSweep, DoesNotLieBesideAWalkOfAnEarlierStudy) {
+  const tests::TestFolder scratch;
+  const fs::path folder = scratch / "new";
+  (void)run_locomotion(sample_study(base), folder);
+  ASSERT_TRUE(fs::exists(folder / "locomotion.toml"));
+  const std::string sweep = base + "[sweep]\nkeys = [\"ground.kinetic_friction\"]\nvalues = [0.1]\n";
+  (void)run_sweep(sample_study(sweep), folder);
+  EXPECT_FALSE(fs::exists(folder / "locomotion.toml"));
+  EXPECT_TRUE(fs::exists(folder / "sweep.csv"));
+  (void)run_locomotion(sample_study(base), folder);
+  EXPECT_TRUE(fs::exists(folder / "locomotion.toml"));
+  EXPECT_FALSE(fs::exists(folder / "sweep.csv"));
 }
 
 }  // namespace
