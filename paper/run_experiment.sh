@@ -17,7 +17,8 @@
 #                         the same, and keeps its champion with a small picture in champions.csv, or in another table
 #   trial STUDY SEED [N]  a long trial at three scales, and the table three_scales/SEED.csv; N generations in place of the study's
 #   each_archive PREFIX SUFFIX "EXPERIMENT PART" FUNCTION [WORD ...]
-#                         calls FUNCTION WORD... SEED ARCHIVE for the archives PREFIX SEED SUFFIX that there are, or says which part makes one
+#                         calls FUNCTION WORD... SEED ARCHIVE for the archives PREFIX SEED SUFFIX that there are; where there is none
+#                         it says which part makes one, and fails
 #   "${generations[@]}"   an option for other calls of menger evolve
 # GENERATIONS=N in the environment gives the searches of the paper N generations, whatever their study says:
 #   GENERATIONS=325 ./run paper fractal two_scales_1
@@ -108,7 +109,10 @@ each_archive() {
     seed=${archive#"$prefix"}
     "$@" "${seed%"$suffix"}" "$archive"
   done
-  [ -n "$found" ] || say "there is no ${prefix}SEED$suffix yet; make one with ./run paper $maker"
+  [ -n "$found" ] || {
+    say "there is no ${prefix}SEED$suffix yet; make one with ./run paper $maker" >&2
+    return 2
+  }
 }
 
 table() { paper/tables.py take "$@"; }

@@ -6,6 +6,7 @@ discrepancies.py take INDIVIDUALS.csv VARIANT   makes walks/VARIANT.csv of what 
 discrepancies.py summary                        makes the tables and discrepancies.svg of the variants that there are:
                                                 population.csv   how many robots there are, and how many of them are unlike
                                                 statistics.csv   their fitness against that of the text
+                                                released.csv     the text, without what it does not mention, too, against the code
                                                 changes.csv      where robots end, by scale
                                                 balanced_changes.csv  what a change does with balanced moments of beams, and what
                                                                       it does to the same robots with those of the simulator
@@ -344,6 +345,15 @@ def write_rows(name, rows):
         (HERE / name).unlink(missing_ok=True)
 
 
+def against_released(there):
+    """The fitness as the text says, with and without what it does not mention, against that of the released code."""
+    if "released_walks" not in there:
+        return []
+    released = Walks("released_walks")
+    return [{"variant": name, "label": variant(name)["label"], "robots": len(released.bodies)} | comparison(released, Walks(name))
+            for name in there if name == "text" or variant(name).get("kind") == "omission"]
+
+
 def kind_of(name):
     return KINDS.get(variant(name).get("kind"), "")
 
@@ -404,7 +414,7 @@ def summary():
     unlike = len({like(body) for body in text.bodies})
     # Intervals take all robots as independent. Of as many groups of robots that walk alike they would be wider by the root of their mean size.
     population = [{"population": "all", "robots": len(text.bodies), "unlike": unlike, "wider": np.sqrt(len(text.bodies) / unlike) - 1.0}]
-    for file, rows in (("population.csv", population), ("statistics.csv", compared), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed),
+    for file, rows in (("population.csv", population), ("statistics.csv", compared), ("released.csv", against_released(there)), ("changes.csv", changed), ("balanced_changes.csv", balanced_changed),
                        ("failures.csv", failed), ("conclusions.csv", concluded), ("verdicts.csv", verdicts(concluded))):
         write_rows(file, rows)
     if compared:

@@ -43,10 +43,11 @@ individuals_of() {
   menger export "$3" --output "$results/individuals/$1-$2" --individuals --levels 1 --no-frames --no-pictures
 }
 
+# Of the kinds of trials whose archives are there.
 heredity() {
-  each_archive "$results/two_scales_" .sqlite "fractal two_scales_1" individuals_of fractal
-  each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced
-  each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control
+  each_archive "$results/two_scales_" .sqlite "fractal two_scales_1" individuals_of fractal || true
+  each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced || true
+  each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control || true
   "$study/heredity.py" "$results/individuals"
 }
 

@@ -3,17 +3,18 @@
 and trials.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
-             two_scales_balanced/SEED.csv, random_search/SEED.csv, and three_scales/SEED.csv in both folders
+             two_scales_balanced/SEED.csv, and random_search/SEED.csv and three_scales/SEED.csv in both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on
 stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
-at the last generation that both have (on_the_way.csv: every twentieth before it): by the rank-sum test, or by the signed-rank test where they have the same seeds and so begin with
-the same robots. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which
+at the last generation that both have (on_the_way.csv: every twentieth before it): by the rank-sum test, or by the signed-rank test where
+they have the same seeds and so begin with the same robots. Trials went on after their test had been looked at. So p_looks is p times the
+number of looks, one for every twenty generations (Bonferroni), and p_looks decides an outcome. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which
 the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared
-with trials of random search, which draw as many robots.
+with trials of random search, which draw as many robots, and the control with random search among its own robots.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
-side, else "open"; where two arms are compared, the test has to agree (p < 0.05). Dimensions of champions "differ" if they are spread
-otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (p < 0.05).
+side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
+otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -55,14 +56,16 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P"),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
+        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control, random search", "#AA4499", (0, (2, 1)), "p", is_fractal=False),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
+               ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
-STRIDE = 20  # generations between comparisons on the way
+STRIDE = 20  # generations between comparisons on the way, and between looks at the test
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
 
 
@@ -107,10 +110,20 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
+def looks(generation):
+    """How often a test was looked at until a generation, whose trials then went on."""
+    return max(1, -(-generation // STRIDE))
+
+
+def times_looks(p, generation):
+    """Bonferroni's correction for looks at a test; None where there is no p."""
+    return None if p is None else min(1.0, looks(generation) * p)
+
+
 def dimensions_of(arm, trials):
     """How many fractal trials end with nine cells, as a plane has, between 2.5 and 2.7, or with another dimension; nothing for others."""
     names = ("dimension_2", "dimension_2.5_to_2.7", "dimension_other")
-    row = {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")} | dict.fromkeys(("dimension_p_paper", "dimension_outcome"))
+    row = {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")} | dict.fromkeys(("dimension_p_paper", "dimension_p_looks", "dimension_outcome"))
     if not DRAWN[arm].is_fractal:
         return row
     ends = [trial.dimension[-1] for trial in trials]
@@ -120,7 +133,8 @@ def dimensions_of(arm, trials):
         found = share(count, len(ends))
         row |= {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high}
     p = freeman_halton(counts, PAPER_DIMENSIONS)
-    return row | {"dimension_p_paper": p, "dimension_outcome": "differs" if tells_apart(p) else "open"}
+    p_looks = times_looks(p, len(trials[0].best) - 1)
+    return row | {"dimension_p_paper": p, "dimension_p_looks": p_looks, "dimension_outcome": "differs" if tells_apart(p_looks) else "open"}
 
 
 def statistics(arms):
@@ -132,11 +146,14 @@ def statistics(arms):
         levels = list(trials[0].speeds)
         smaller, larger = ([trial.last_speed(level) for trial in trials] for level in levels[-2:])
         slower = share(sum(one < other for one, other in zip(larger, smaller)), len(trials))
+        slowest = [sum(trial.speeds[levels[-1]] < np.min([trial.speeds[level] for level in levels[:-1]], axis=0)) for trial in trials]
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1} | first.cells("first") | last.cells("last") | gain.cells("gain")
                     | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                        "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
                     | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(smaller, larger),
-                       "p_scales_rank_sum": rank_sum(smaller, larger)} | dimensions_of(arm, trials))
+                       "p_scales_rank_sum": rank_sum(smaller, larger),
+                       # Of the best robots of all generations of all trials
+                       "largest_is_slowest_generations": int(sum(slowest)), "all_generations": sum(len(trial.best) for trial in trials)} | dimensions_of(arm, trials))
     return rows
 
 
@@ -146,9 +163,10 @@ def comparison(names, one, other, generation):
     are_pairs = [trial.seed for trial in one] == [trial.seed for trial in other]
     larger = share_of_larger_pairs(*ends) if are_pairs else share_of_larger(*ends)
     p = signed_rank(*ends) if are_pairs else rank_sum(*ends)
+    p_looks = times_looks(p, generation)
     return {"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": generation,
-            "test": "signed rank" if are_pairs else "rank sum", "p": p} | larger.cells("larger") | {
-            "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))}
+            "test": "signed rank" if are_pairs else "rank sum", "p": p, "looks": looks(generation), "p_looks": p_looks} | larger.cells("larger") | {
+            "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p_looks) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))}
 
 
 def compared(arms):

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""Walks of champions with something changed that may explain why they do not do the same at the next scale.
+"""Walks of champions with something changed that may explain why they do not do the same at the next scale, and at a scale beyond.
 
 changed_walks.py similar FOLDER      writes scenes of the champions of two scales at larger scales, each with the weight, the stiffness, or
                                      both that make it as heavy and as stiff for its size as at the scale before
 changed_walks.py balanced FOLDER     writes scenes of all champions, those of ../phase_wave and ../single_actuator, too, at the two smallest
                                      scales: as they are, with half the time step, and with beams whose moments balance their forces,
                                      which champions of some searches have already
+changed_walks.py fourth FOLDER       writes scenes of the champions of three scales at the third and at a fourth one, 81 cells per side
 changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
-changed_walks.py summary             makes similar_statistics.csv and balanced_statistics.csv of the tables that there are
+changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv and fourth_statistics.csv of the tables that there are
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -42,6 +43,7 @@ SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": 
 BALANCED = {"as_it_is": {}, "balanced": {"materials": {"beam_moments": "balanced"}}, "half_step": {"integration": {"time_step_fraction": 0.45}}}
 BALANCED_LABELS = {"balanced": "balanced moments", "half_step": "half the time step"}
 BALANCED_LEVELS = (1, 2)
+FOURTH_LEVELS = (3, 4)
 LEAST_SHARE = 0.5  # of its speed, which a champion keeps
 
 
@@ -98,6 +100,12 @@ def balanced_scenes(folder):
                 if change == "balanced" and robot["group"] in EVOLVED_BALANCED:
                     continue
                 write_scene(folder, robot, level, change, changes)
+
+
+def fourth_scenes(folder):
+    for robot in champions("three_scales"):
+        for level in FOURTH_LEVELS:
+            write_scene(folder, robot, level, "as_it_is", {})
 
 
 def take(folder, table):
@@ -166,6 +174,21 @@ def balanced_statistics():
     return rows
 
 
+def fourth_statistics():
+    """Of each champion of three scales, whether it does at the fourth one what it does at the third."""
+    rows = []
+    for (group, seed), found in walks_of("fourth").items():
+        ends_m = [found.get((level, "as_it_is")) for level in FOURTH_LEVELS]
+        if any(end_m is None for end_m in ends_m):
+            continue
+        lower_m, upper_m = (end_m[np.newaxis] for end_m in ends_m)
+        angle, factor = angle_and_factor(lower_m, upper_m)
+        row = {"group": group, "seed": seed, "angle_deg": float(angle[0]), "speed_factor": float(factor[0]),
+               "carries_over": "yes" if carries_over(angle, factor)[0] else "no"}
+        rows.append(row | {f"level_{level}_per_minute": float(body_lengths(end_m, level)) * PER_MINUTE for level, end_m in zip(FOURTH_LEVELS, ends_m)})
+    return rows
+
+
 def kept(before_m, after_m, level):
     """How fast robots are before and after a change, the one that is fastest before it, too; how many keep half of their speed, and how many
     their way."""
@@ -178,7 +201,8 @@ def kept(before_m, after_m, level):
 
 
 def summary():
-    for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics())):
+    for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics()),
+                       ("fourth_statistics", fourth_statistics())):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [{key: cell(value) for key, value in row.items()} for row in rows])
 
@@ -189,7 +213,9 @@ def main(arguments):
             similar_scenes(pathlib.Path(folder))
         case ["balanced", folder]:
             balanced_scenes(pathlib.Path(folder))
-        case ["take", folder, ("similar" | "balanced") as table]:
+        case ["fourth", folder]:
+            fourth_scenes(pathlib.Path(folder))
+        case ["take", folder, ("similar" | "balanced" | "fourth") as table]:
             take(pathlib.Path(folder), table)
         case ["summary"]:
             summary()

@@ -4,8 +4,8 @@
 scale_invariance.py random INDIVIDUALS.csv           puts the random robots into robots.csv, of what menger export wrote
 scale_invariance.py random_balanced INDIVIDUALS.csv  the same of random robots with beams whose moments balance their forces
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
-scale_invariance.py summary                          makes statistics.csv, slowest.csv, comparisons.csv, dimension.csv, dimension_tests.csv
-                                                     and scale_invariance.svg
+scale_invariance.py summary                          makes statistics.csv, slowest.csv, comparisons.csv, thresholds.csv, dimension.csv,
+                                                     dimension_tests.csv and scale_invariance.svg
 
 changed_walks.py has the walks of champions with something changed.
 
@@ -42,6 +42,7 @@ GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_s
 EVOLVED = ("one_scale", "two_scales", "three_scales")  # by the number of scales that selection sees
 EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
 ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
+ANGLES_DEG, FACTORS = (30.0, 45.0, 60.0), (1.5, 2.0, 3.0)  # other limits of what carries over, to see what hangs on them
 FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
 # Random robots, and those that are evolved in the same physics
@@ -130,16 +131,16 @@ def moving(rows, lower, upper):
     return (ends(there, lower), ends(there, upper)) if there else (np.empty((0, 2)), np.empty((0, 2)))
 
 
-def same_way(angle_deg, _):
-    return angle_deg <= LARGEST_ANGLE_DEG
+def same_way(angle_deg, _, largest_deg=LARGEST_ANGLE_DEG):
+    return angle_deg <= largest_deg
 
 
-def like_speed(_, factor):
-    return (factor >= 1.0 / LARGEST_FACTOR) & (factor <= LARGEST_FACTOR)
+def like_speed(_, factor, largest=LARGEST_FACTOR):
+    return (factor >= 1.0 / largest) & (factor <= largest)
 
 
-def carries_over(angle_deg, factor):
-    return same_way(angle_deg, factor) & like_speed(angle_deg, factor)
+def carries_over(angle_deg, factor, largest_deg=LARGEST_ANGLE_DEG, largest=LARGEST_FACTOR):
+    return same_way(angle_deg, factor, largest_deg) & like_speed(angle_deg, factor, largest)
 
 
 MEASURES = {"carried_over": carries_over, "same_way": same_way, "like_speed": like_speed}
@@ -239,7 +240,9 @@ def largest_is_the_slowest(sets):
         speeds = speeds[:, np.isfinite(speeds).all(axis=0) & (np.fmax.reduce(speeds) >= LEAST_BODY_LENGTHS)]
         if speeds.shape[1]:
             slowest = share(int(np.sum(speeds[-1] < speeds[:-1].min(axis=0))), speeds.shape[1])
-            made.append({key: cell(value) for key, value in ({"group": group, "label": label, "robots": speeds.shape[1]} | slowest.cells("largest_is_slowest")).items()})
+            row = {"group": group, "label": label, "robots": speeds.shape[1]} | slowest.cells("largest_is_slowest")
+            row["largest_is_slowest_outcome"] = OUTCOMES[verdict(slowest, 0.5)]
+            made.append({key: cell(value) for key, value in row.items()})
     return made
 
 
@@ -254,6 +257,8 @@ def statistics_of(group, label, rows, lower, upper):
     row["fitness_per_minute"] = float(np.nanmedian(speeds)) * PER_MINUTE if np.isfinite(speeds).any() else None
     row |= {"by_chance": chance["carried_over"], "same_way_by_chance": chance["same_way"], "like_speed_by_chance": chance["like_speed"],
             "p_by_chance": pairing_p(pairs["carried_over"])}
+    others = share(len(lower_m) - int(carries_over(*angle_and_factor(lower_m, upper_m)).sum()), len(lower_m))
+    row["most_differ_outcome"] = OUTCOMES[verdict(others, 0.5)]  # whether fewer than half carry over
     row |= which_is_slower(rows, lower, upper)
     return {key: cell(value) for key, value in row.items()}
 
@@ -288,7 +293,28 @@ def comparisons_within(sets, evolved):
     return rows
 
 
-FEWEST_DRAWN = 5  # robots of a dimension, fewer of which tell nothing in a picture
+def thresholds(every):
+    """What carries over from 3 to 9 cells where other angles and speeds count as the same: the share of robots that are evolved at two
+    scales, that of the fastest random ones, and Fisher's exact test of both."""
+    made = []
+    for family, evolved in FAMILIES.items():
+        sets = with_fastest({family: every[family]}) if family in every else {}
+        group, other = evolved[1], f"{family}_{FASTEST[0]}"
+        if group not in every or other not in sets:
+            continue
+        samples = [angle_and_factor(*moving(rows, 1, 2)) for rows in (every[group], sets[other][1])]
+        for largest_deg in ANGLES_DEG:
+            for largest in FACTORS:
+                shares = [share(int(carries_over(*sample, largest_deg, largest).sum()), len(sample[0])) for sample in samples]
+                counts = [number for found in samples for number in (int(carries_over(*found, largest_deg, largest).sum()), len(found[0]))]
+                row = {"groups": f"{group} and {other}", "label": GROUPS[family].removeprefix("random robots").strip() or "the paper's simulator",
+                       "angle_deg": largest_deg, "factor": largest, "robots": len(samples[0][0]), "other_robots": len(samples[1][0])}
+                row |= shares[0].cells("carried_over") | shares[1].cells("other_carried_over") | {"p": fisher(*counts)}
+                made.append({key: cell(value) for key, value in row.items()})
+    return made
+
+
+FEWEST_DRAWN = 5  # robots of a group or a dimension, fewer of which tell nothing in a picture of shares
 BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))
 
 
@@ -329,6 +355,8 @@ def summary():
         write_table(HERE / "slowest.csv", list(slowest[0]), slowest)
     if compared := comparisons(every):
         write_table(HERE / "comparisons.csv", list(compared[0]), compared)
+    if other_thresholds := thresholds(every):
+        write_table(HERE / "thresholds.csv", list(other_thresholds[0]), other_thresholds)
     if tests := dimension_tests(every.get("random", [])):
         write_table(HERE / "dimension_tests.csv", list(tests[0]), tests)
     dimensions = by_dimension(every.get("random", []), 1, 2) + by_dimension(every.get("random", []), 2, 3)
@@ -386,7 +414,7 @@ def draw(every, rows, dimensions):
     simulators = {"random": "paper's simulator", "random_balanced": "balanced beams"}
     clouds = [family for family in FAMILIES if family in every]
     of_family = {family: {family, *evolved, *(f"{family}_{count}" for count in FASTEST)} for family, evolved in FAMILIES.items()}
-    shares = [([row for row in rows if row["group"] in of_family[family]], f"how many do the same at the next scale, {name}")
+    shares = [([row for row in rows if row["group"] in of_family[family] and int(row["robots"]) >= FEWEST_DRAWN], f"how many do the same at the next scale, {name}")
               for family, name in simulators.items()] + [(dimensions, "random robots by their Hausdorff dimension H, paper's simulator")]
     shares = [(members, title) for members, title in shares if members]
     heights = [*[2.9] * len(clouds), *(0.9 + 0.36 * len(members) for members, _ in shares)]

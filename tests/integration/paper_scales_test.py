@@ -91,8 +91,8 @@ class Case(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.tree = pathlib.Path(folder.name)
-        for name in ("presets/paper.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/population.toml",
-                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/heredity.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml",
+        for name in ("presets/paper.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/bodies.py", "discrepancies/population.toml",
+                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/heredity.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml", "fractal/single_precision.toml",
                      "scale_invariance/one_scale.toml", "phase_wave/two_scales.toml"):
             place = self.tree / "paper" / name
             place.parent.mkdir(parents=True, exist_ok=True)
@@ -195,6 +195,39 @@ class Discrepancies(Case):
         self.assertEqual(concluded["text"]["larger_is_slower"], "1")
         self.assertAlmostEqual(float(concluded["text"]["speed_factor"]), 2.0 / 3.0, delta=1e-4)
         xml.dom.minidom.parse(str(self.folder() / "discrepancies.svg"))
+
+    def test_the_text_is_compared_with_the_released_code(self):
+        far = lambda n: 1e-3 * (n + 1)  # noqa: E731
+        straight, turned = (lambda n: (far(n), 0.0, 2.0 * far(n), 0.0)), (lambda n: (far(519 - n), 0.0, 600.0, 0.0))
+        for name, ends in (("text", straight), ("duration", straight), ("released_walks", straight), ("free_rotation", turned)):
+            self.done(self.script, "take", self.individuals(ends), name)
+        self.done(self.script, "summary")
+        found = self.rows_of("released.csv", "variant")
+        self.assertEqual(list(found), [("text",), ("free_rotation",)], "the text, and what leaves out what it does not mention")
+        self.assertEqual([found["text",][name] for name in ("robots", "failed", "fitness_spearman", "another_best_of_ten")], ["500", "0", "1", "0"])
+        self.assertAlmostEqual(float(found["free_rotation",]["fitness_spearman"]), -1.0, delta=0.001)
+
+    bodies = "discrepancies/bodies.py"
+
+    def test_bodies_differ_in_what_the_released_code_does_otherwise(self):
+        folder = self.tree / "bodies"
+        self.done(self.bodies, "studies", folder)
+        studies = {file.stem: tomllib.loads(file.read_text()) for file in folder.glob("*.toml")}
+        text, code = options_of("paper"), options_of("released-code")
+        differ = {key.removeprefix("genome."): code[key] for key in text if key.startswith("genome.") and text[key] != code[key]}
+        self.assertEqual({name: study.pop("genome", {}) for name, study in studies.items()}, {"text": {}, "all": differ} | {key: {key: value} for key, value in differ.items()})
+        self.assertEqual(len({str(study) for study in studies.values()}), 1, "all else is alike")
+
+    def test_counts_shapes_of_bodies(self):
+        # A cube of two materials, an upright plane, three cells around a corner, whose copies do not touch, and a bar of three.
+        shapes = ["1" * 26 + "2", "100100100" * 3, "110010000" + "0" * 18, "111" + "0" * 24]
+        for name in module_of("paper/discrepancies/bodies.py").LABELS:
+            write(self.tree / f"bodies/{name}/individuals.csv", ["individual", "phenotype"], [[n, shape] for n, shape in enumerate(shapes + shapes[:1])])
+        self.done(self.bodies, "take", self.tree / "bodies")
+        row = table_of(self.folder() / "bodies.csv")[0]
+        self.assertEqual([row[name] for name in ("variant", "bodies", "unlike", "cells_median", "full_cube", "plane", "sponge", "one_material", "falls_apart")],
+                         ["text", "5", "4", "9", "0.4", "0.2", "0", "0.6", "0.2"])
+        self.refused("individuals.csv", self.bodies, "take", self.tree / "nowhere")
 
     def test_counts_failed_walks_and_says_how_far_ends_move(self):
         far = lambda n: 1e-3 * (n + 1.5)  # noqa: E731
@@ -402,6 +435,7 @@ class ScaleInvariance(Case):
         self.assertEqual(found["random", "2 to 3"]["robots"], "41")
         self.assertEqual((chance["robots"], chance["carried_over"], chance["same_way"], chance["speed_factor"]), ("40", "0.75", "0.75", "1"))
         self.assertLess(float(chance["by_chance"]), 0.5)
+        self.assertEqual(chance["most_differ_outcome"], "not reproduced", "most of them carry over")
         self.assertEqual((chance["like_speed"], chance["same_way_by_chance"]), ("1", "0.75"), "whichever robot is taken, 30 of 40 did not turn")
         # The fastest are the last 25 of 40, of which 10 turn: a fitness of 0.2 (n + 1) body lengths in 5 s, so that the median is that of n = 27.
         fast = found["random_25", "1 to 2"]
@@ -482,6 +516,22 @@ class ScaleInvariance(Case):
         self.done(self.script, "summary")
         (row,) = table_of(self.tree / "paper/scale_invariance/slowest.csv")
         self.assertEqual([row[name] for name in ("group", "robots", "largest_is_slowest")], ["random", "3", "0.3333"])
+        self.assertEqual(row["largest_is_slowest_outcome"], "open")
+
+    def test_says_what_hangs_on_the_limits_of_what_carries_over(self):
+        # Random robots turn by 50 degrees and become 2.5 times as fast, evolved ones turn by 20 degrees and keep nearly all of their speed.
+        def ends_of(angle_deg, factor):
+            turn = math.radians(angle_deg)
+            return [0.03, 0.0, 0.09 * factor * math.cos(turn), 0.09 * factor * math.sin(turn), "", ""]
+
+        self.champions([["random", n, body(n), *ends_of(50, 2.5)] for n in range(101)] + [["two_scales", n, body(200 + n), *ends_of(20, 1.2)] for n in range(3)])
+        self.done(self.script, "summary")
+        found = {(row["angle_deg"], row["factor"]): row for row in table_of(self.tree / "paper/scale_invariance/thresholds.csv")}
+        self.assertEqual(len(found), 9)
+        for limits, row in found.items():
+            other = "1" if limits == ("60", "3") else "0"
+            self.assertEqual([row[name] for name in ("robots", "other_robots", "carried_over", "other_carried_over")], ["3", "100", "1", other], limits)
+        self.assertEqual((found["60", "3"]["p"], found["45", "2"]["p"]), ("1", f"{1 / math.comb(103, 3):.4g}"))
 
     def test_a_random_robot_that_is_a_champion_counts_once(self):
         walks = [0.03, 0.0, 0.09, 0.0, "", ""]
@@ -573,6 +623,19 @@ class ScaleInvariance(Case):
         self.assertEqual(sorted(of_wave), [f"phase_wave-1-{level}-{change}" for level in (1, 2) for change in ("as_it_is", "balanced", "half_step")])
         self.assertEqual({scene["drive"]["mode"] for scene in of_wave.values()}, {"wave"})
         self.assertEqual(of_wave["phase_wave-1-1-balanced"]["materials"]["beam_moments"], "balanced")
+
+    def test_champions_of_three_scales_walk_at_a_fourth_one(self):
+        self.champions([[group, 1, body(1), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0] for group in ("two_scales", "three_scales")])
+        folder = self.tree / "scenes"
+        self.done(self.changed, "fourth", folder)
+        self.assertEqual(sorted(file.stem for file in folder.glob("*.toml")), ["three_scales-1-3-as_it_is", "three_scales-1-4-as_it_is"])
+        self.assertEqual(tomllib.loads((folder / "three_scales-1-4-as_it_is.toml").read_text())["design"]["level"], 4)
+        # One body length of 27 cells in 5 s, and half of one of 81.
+        self.walked(folder, three_scales__1__3__as_it_is=0.27, three_scales__1__4__as_it_is=0.405)
+        self.done(self.changed, "take", folder, "fourth")
+        self.done(self.changed, "summary")
+        (row,) = table_of(self.tree / "paper/scale_invariance/fourth_statistics.csv")
+        self.assertEqual([row[name] for name in ("angle_deg", "speed_factor", "carries_over", "level_3_per_minute", "level_4_per_minute")], ["0", "0.5", "yes", "12", "6"])
 
     def test_balanced_scenes_differ_in_the_moments_of_beams_only(self):
         folder, scenes = self.scenes("balanced")
@@ -710,6 +773,8 @@ class Trials(Case):
         three = found["three_scales"]
         self.assertLess(float(three["p_first_last"]), 1.0)
         self.assertEqual((three["compared_cells"], three["larger_is_slower"], three["last"], three["dimension_2.5_to_2.7"]), ("27 and 9", "0.75", "6", "4"))
+        self.assertEqual((three["largest_is_slowest_generations"], three["all_generations"]), ("0", "8"))
+        self.assertEqual((found["fractal"]["largest_is_slowest_generations"], found["fractal"]["all_generations"]), ("8", "12"), "0.1 of 0.2 and 1 of 2, and at first none")
         (compared,) = table_of(folder / "comparisons.csv")
         # At generation 2, which both have: 1 and 3 body lengths.
         self.assertEqual((compared["generations"], compared["larger"], compared["medians_ratio"]), ("2", "0", "0.3333"))
@@ -796,10 +861,30 @@ class Trials(Case):
         self.assertGreater(float(drawn["larger_low"]), 0.5)
         self.assertEqual((drawn["p"], drawn["larger_outcome"]), (f"{2 / 28:.4g}", "open"))
 
+    def test_a_test_that_was_looked_at_often_decides_less(self):
+        # All three are larger than all six, 2 of C(9, 3) = 84 orders are as extreme. Three looks make 0.024 more than 0.05.
+        for generations, looks, outcome in ((3, "1", "reproduced"), (60, "3", "open")):
+            for folder, seeds, best in (("two_scales", range(1, 4), 1.0), ("random_search", range(2001, 2007), 0.1)):
+                for seed in seeds:
+                    rows = [[n, best + 1e-5 * seed, 9, 2.0, 1.0, 1.0] for n in range(generations + 1)]
+                    write(self.tree / f"paper/fractal/{folder}/{seed}.csv", self.columns, rows)
+            self.done(self.script)
+            (drawn,) = table_of(self.tree / "paper/fractal/comparisons.csv")
+            self.assertEqual((drawn["p"], drawn["looks"], drawn["larger_outcome"]), (f"{2 / 84:.4g}", looks, outcome))
+            self.assertAlmostEqual(float(drawn["p_looks"]), int(looks) * 2 / 84, delta=1e-4)
+        script = module_of("paper/fractal/trials.py")
+        self.assertEqual([script.looks(generation) for generation in (0, 20, 21, 140)], [1, 1, 2, 7])
+        self.assertEqual((script.times_looks(None, 40), script.times_looks(0.6, 40)), (None, 1.0))
+
     def test_random_search_differs_from_evolution_in_its_population_alone(self):
         evolution, drawn = (tomllib.loads((SOURCES / f"paper/fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))
         self.assertEqual(drawn.pop("population"), {"survivors": 1, "mutants": 0, "newcomers": 16})
         self.assertEqual(drawn, evolution)
+        control, drawn = (tomllib.loads((SOURCES / f"paper/non_fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))
+        self.assertEqual(drawn.pop("population"), {"survivors": 1, "mutants": 0, "newcomers": 16})
+        for study in (control, drawn):
+            del study["seed"], study["generations"]
+        self.assertEqual(drawn, control)
         population = options_of("paper")
         self.assertEqual(population["population.mutants"] + population["population.newcomers"], 16, "as many robots are asked for in a generation")
 

@@ -280,9 +280,10 @@ class Experiments(PaperTest):
     def test_champions_are_those_of_one_kind_of_search(self):
         self.put("paper/walked/experiment.sh", (SOURCES / "paper/scale_invariance/experiment.sh").read_text())
         self.put("paper/walked/scale_invariance.py", '#!/bin/sh\necho "$*" >>calls\n', executable=True)
-        outcome = self.experiment("walked", "three_scales")
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
-        self.assertIn("there is no build/paper/fractal/three_scales_SEED/trial.sqlite yet; make one with ./run paper fractal three_scales_40", outcome.stdout)
+        outcome = self.experiment("walked", "three_scales", "summary")
+        self.assertEqual(outcome.returncode, 2, outcome.stderr)
+        self.assertIn("there is no build/paper/fractal/three_scales_SEED/trial.sqlite yet; make one with ./run paper fractal three_scales_40", outcome.stderr)
+        self.assertFalse((self.tree / "calls").exists(), "no summary of what is not there")
         for archive in ("two_scales_1.sqlite", "two_scales_10.sqlite", "two_scales_balanced_2.sqlite", "two_scales_in_pieces_3.sqlite", "three_scales_4/trial.sqlite"):
             self.put(f"build/paper/fractal/{archive}", "")
         for part, seeds in (("two_scales", (1, 10)), ("two_scales_balanced", (2,)), ("three_scales", (4,))):
