@@ -56,7 +56,7 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P"),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
-        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control, random search", "#AA4499", (0, (2, 1)), "p", is_fractal=False),
+        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
