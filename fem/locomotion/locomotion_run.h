@@ -30,8 +30,8 @@ struct LocomotionRunOptions {
   LocomotionMaker make = explicit_walk_dynamics;  ///< makes the dynamics of the study
 };
 
-/// The files of results that a walk or a sweep leaves in a folder, besides frames and checkpoint. A run begins by removing them,
-/// so that a sweep does not lie beside a walk of an earlier study.
+/// The tables and pictures that a walk or a sweep leaves in a folder. A run begins by removing them, so that those of a sweep do
+/// not lie beside those of a walk. Checkpoints, frames and the folders of cases stay: the earlier study goes on from them.
 inline constexpr std::array<std::string_view, 6> locomotion_files{"locomotion.toml", "trajectory.csv", "robot.png",
                                                                   "trajectory.png",  "sweep.csv",      "sweep.png"};
 

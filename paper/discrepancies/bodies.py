@@ -5,7 +5,7 @@ bodies.py studies FOLDER   writes a study for each; its walks last one thousandt
 bodies.py take FOLDER      makes bodies.csv of what menger export wrote into FOLDER/NAME
 
 Bodies are as they are drawn: valid ones, some of them more than once. Aggregates may fall apart, as in the released code, so that it can
-be counted how many do. Exit codes: 0 done, 2 wrong input.
+be counted how many do; the text's search has only those of its bodies that do not, a row of their own. Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
@@ -21,16 +21,21 @@ from scipy.ndimage import label as pieces_of  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, toml_text, write_table, write_whole  # noqa: E402
 
 DRAWN = 2000
-PLANE_CELLS = 9  # a Hausdorff dimension of 2
+NINE_CELLS = 9  # a Hausdorff dimension of 2: planes, and others
 SPONGE_CELLS = (16, 19)  # of 2.5 to 2.7
 # Keys of [genome] that the released code has other values for.
 RELEASED = {"activations": "released-code", "output_function": "mutable", "expression": "first-consumer", "axes": "zyx"}
-LABELS = {"text": "the paper's text", "activations": "negative activation functions, too", "output_function": "outputs that lose their sigmoid",
+LABELS = {"text": "the paper's text", "text_in_one_piece": "those of them whose aggregates are in one piece", "activations": "negative activation functions, too", "output_function": "outputs that lose their sigmoid",
           "expression": "later readers of a node get its sum", "axes": "axes in another order", "all": "these four at once"}
 
 
 def keys_of(name):
     return {"text": {}, "all": RELEASED}.get(name) or {key: RELEASED[key] for key in [name] if key in RELEASED}
+
+
+def drawn():
+    """The names of studies."""
+    return [name for name in LABELS if name != "text_in_one_piece"]
 
 
 def study(name):
@@ -48,14 +53,16 @@ def falls_apart(phenotype):
 def row_of(name, phenotypes):
     cells = np.array([sum(digit != "0" for digit in one) for one in phenotypes])
     row = {"variant": name, "label": LABELS[name], "bodies": len(phenotypes), "unlike": len(set(phenotypes)), "cells_median": float(np.median(cells))}
-    for what, found in (("full_cube", cells == 27), ("plane", cells == PLANE_CELLS), ("sponge", (cells >= SPONGE_CELLS[0]) & (cells <= SPONGE_CELLS[1])),
+    for what, found in (("full_cube", cells == 27), ("nine_cells", cells == NINE_CELLS), ("sponge", (cells >= SPONGE_CELLS[0]) & (cells <= SPONGE_CELLS[1])),
                         ("one_material", [not {"1", "2"} <= set(one) for one in phenotypes]), ("falls_apart", [falls_apart(one) for one in phenotypes])):
         row |= share(int(np.sum(found)), len(phenotypes)).cells(what)
     return {key: cell(value) for key, value in row.items()}
 
 
 def take(folder):
-    rows = [row_of(name, [row["phenotype"] for row in read_table(folder / name / "individuals.csv")]) for name in LABELS]
+    bodies = {name: [row["phenotype"] for row in read_table(folder / name / "individuals.csv")] for name in drawn()}
+    bodies["text_in_one_piece"] = [one for one in bodies["text"] if not falls_apart(one)]
+    rows = [row_of(name, bodies[name]) for name in LABELS]
     write_table(HERE / "bodies.csv", list(rows[0]), rows)
 
 
@@ -63,7 +70,7 @@ def main(arguments):
     match arguments:
         case ["studies", folder]:
             pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
-            for name in LABELS:
+            for name in drawn():
                 write_whole(pathlib.Path(folder) / f"{name}.toml", study(name))
         case ["take", folder]:
             take(pathlib.Path(folder))

@@ -463,7 +463,7 @@ def draw(rows):
     for row, place in zip(rows, places):
         axes[2].annotate(str(row["failed"]), (row["failed"], place), xytext=(2, 0), textcoords="offset points", va="center")
     axes[2].set_xlabel(f"failed walks\nof {rows[0]['robots']} robots")
-    axes[2].set_xlim(0, 1.35 * max(10, *(row["failed"] for row in rows)))
+    axes[2].set_xlim(0, 1.5 * max(10, *(row["failed"] for row in rows)))
     axes[0].set_ylim(bottom, 0.3)
     axes[0].set_yticks(places, [row["label"].replace(", ", ",\n") for row in rows])
     for place, kind in headings:

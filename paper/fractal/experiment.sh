@@ -45,6 +45,7 @@ individuals_of() {
 
 # Of the kinds of trials whose archives are there.
 heredity() {
+  rm -rf "$results/individuals"
   each_archive "$results/two_scales_" .sqlite "fractal two_scales_1" individuals_of fractal || true
   each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced || true
   each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control || true

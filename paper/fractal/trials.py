@@ -9,7 +9,7 @@ Trials of an arm count up to the last generation that all of them have, so that 
 stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared
 at the last generation that both have (on_the_way.csv: every twentieth before it): by the rank-sum test, or by the signed-rank test where
 they have the same seeds and so begin with the same robots. Trials went on after their test had been looked at. So p_looks is p times the
-number of looks, one for every twenty generations (Bonferroni), and p_looks decides an outcome. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which
+number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a comparison, and of dimensions. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which
 the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared
 with trials of random search, which draw as many robots, and the control with random search among its own robots.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
@@ -150,7 +150,7 @@ def statistics(arms):
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1} | first.cells("first") | last.cells("last") | gain.cells("gain")
                     | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                        "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
-                    | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "p_scales": signed_rank(smaller, larger),
+                    | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1), "p_scales": signed_rank(smaller, larger),
                        "p_scales_rank_sum": rank_sum(smaller, larger),
                        # Of the best robots of all generations of all trials
                        "largest_is_slowest_generations": int(sum(slowest)), "all_generations": sum(len(trial.best) for trial in trials)} | dimensions_of(arm, trials))

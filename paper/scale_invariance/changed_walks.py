@@ -121,13 +121,14 @@ def take(folder, table):
     write_table(HERE / f"{table}.csv", COLUMNS, rows)
 
 
-def walks_of(table):
-    """{(group, seed): {(level, change): end in metres}}; a walk that failed went nowhere."""
+def walks_of(table, failed_m=None):
+    """{(group, seed): {(level, change): end in metres}}, without walks that failed, or with an end that they get in place."""
     file = HERE / f"{table}.csv"
     walks = {}
     for row in read_table(file) if file.exists() else []:
-        end_m = np.array([float(row[name] or 0.0) for name in ("dx_m", "dy_m")])
-        walks.setdefault((row["group"], row["seed"]), {})[int(row["level"]), row["change"]] = end_m
+        end_m = np.array([float(row[name]) for name in ("dx_m", "dy_m")]) if row["dx_m"] else failed_m
+        if end_m is not None:
+            walks.setdefault((row["group"], row["seed"]), {})[int(row["level"]), row["change"]] = end_m
     return walks
 
 
@@ -162,7 +163,7 @@ def against_plain(plain, changed):
 
 def balanced_statistics():
     """What is left of the speed of champions at the same scale where the moments of beams balance their forces, and with half the step."""
-    walks = walks_of("balanced")
+    walks = walks_of("balanced", np.zeros(2))  # who fails keeps nothing of its speed
     rows = []
     for group in [*ALL_EVOLVED, *ONE_MATERIAL]:
         of_group = [found for (name, _), found in walks.items() if name == group]

@@ -10,7 +10,7 @@ done
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
 part_on_request two_scales_balanced "8 min" "the same of those with beams whose moments balance their forces"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
-part_on_request similar "30 min of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
+part_on_request similar "1 h of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
 part_on_request fourth "13 min of one core" "the champion of three scales at a fourth one, 81 cells per side"
 part_on_request balanced "2 min" "champions of searches in the simulator as it is, with such beams and with half the time step"
 part summary "1 min" "the tables and the picture of all robots that there are"

@@ -221,12 +221,13 @@ class Discrepancies(Case):
     def test_counts_shapes_of_bodies(self):
         # A cube of two materials, an upright plane, three cells around a corner, whose copies do not touch, and a bar of three.
         shapes = ["1" * 26 + "2", "100100100" * 3, "110010000" + "0" * 18, "111" + "0" * 24]
-        for name in module_of("paper/discrepancies/bodies.py").LABELS:
+        for name in module_of("paper/discrepancies/bodies.py").drawn():
             write(self.tree / f"bodies/{name}/individuals.csv", ["individual", "phenotype"], [[n, shape] for n, shape in enumerate(shapes + shapes[:1])])
         self.done(self.bodies, "take", self.tree / "bodies")
-        row = table_of(self.folder() / "bodies.csv")[0]
-        self.assertEqual([row[name] for name in ("variant", "bodies", "unlike", "cells_median", "full_cube", "plane", "sponge", "one_material", "falls_apart")],
+        row, in_one_piece, *_ = table_of(self.folder() / "bodies.csv")
+        self.assertEqual([row[name] for name in ("variant", "bodies", "unlike", "cells_median", "full_cube", "nine_cells", "sponge", "one_material", "falls_apart")],
                          ["text", "5", "4", "9", "0.4", "0.2", "0", "0.6", "0.2"])
+        self.assertEqual([in_one_piece[name] for name in ("variant", "bodies", "full_cube", "falls_apart")], ["text_in_one_piece", "4", "0.5", "0"])
         self.refused("individuals.csv", self.bodies, "take", self.tree / "nowhere")
 
     def test_counts_failed_walks_and_says_how_far_ends_move(self):
@@ -632,6 +633,12 @@ class ScaleInvariance(Case):
         self.assertEqual(tomllib.loads((folder / "three_scales-1-4-as_it_is.toml").read_text())["design"]["level"], 4)
         # One body length of 27 cells in 5 s, and half of one of 81.
         self.walked(folder, three_scales__1__3__as_it_is=0.27, three_scales__1__4__as_it_is=0.405)
+        self.done(self.changed, "take", folder, "fourth")
+        (folder / "three_scales-1-4-as_it_is/result.toml").write_text('status = "diverged"\n')
+        self.done(self.changed, "take", folder, "fourth")
+        self.done(self.changed, "summary")
+        self.assertFalse((self.tree / "paper/scale_invariance/fourth_statistics.csv").exists(), "a failure is no robot that stands")
+        (folder / "three_scales-1-4-as_it_is/result.toml").write_text("displacement_m = [0.405, 0.0, 0.0]\n")
         self.done(self.changed, "take", folder, "fourth")
         self.done(self.changed, "summary")
         (row,) = table_of(self.tree / "paper/scale_invariance/fourth_statistics.csv")
