@@ -82,5 +82,31 @@ TEST_F(ReevaluateProgram, WrongInputEndsWithTheReason) {
   EXPECT_NE(help.out.find("menger reevaluate run.sqlite --top 5"), std::string::npos) << help.out;
 }
 
+TEST(CompareSearchesProgram, SaysWhatItReadAndRefusesTheFolderOfAnotherCommand) {
+  const tests::TestFolder folder;
+  io::write_whole(folder / "search/costs.csv", "generation,voxel_steps,element_steps\n0,1000,0\n");
+  io::write_whole(folder / "search/reevaluation.csv",
+                  "rank,surrogate_body_lengths,elements_body_lengths,elements_steps,elements_count\n1,0.5,0.1,10,10\n");
+  const auto compare = [&](const std::string& out) {
+    return ProgramRun(folder, MENGER_PROGRAM_DIR "/menger-compare-searches", {"search", "-o", out, "--no-pictures"}).wait();
+  };
+  io::write_whole(folder / "out/comparison.png", "of an earlier run");
+  const Outcome outcome = compare("out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "out/comparison.png")) << "it would pass for one of this run";
+  const std::string manifest = io::read_whole(folder / "out/manifest.json");
+  for (const char* part :
+       {"menger-compare-searches", "search/costs.csv", "search/reevaluation.csv", "voxel_steps_per_element_step"})
+    EXPECT_NE(manifest.find(part), std::string::npos) << manifest;
+  fs::rename(folder / "search", folder / "other");
+  EXPECT_EQ(compare("out").code, 2);
+  EXPECT_TRUE(fs::exists(folder / "out/comparison.csv")) << "wrong input removes nothing";
+  fs::rename(folder / "other", folder / "search");
+  io::write_whole(folder / "walk/manifest.json", R"({"program": "menger-simulate"})");
+  const Outcome refused = compare("walk");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("walk: holds results of menger simulate"), std::string::npos) << refused.err;
+}
+
 }  // namespace
 }  // namespace menger
