@@ -60,6 +60,7 @@ class LocomoteProgram : public testing::Test {
   /// Sends Ctrl-C as soon as a file exists.
   [[nodiscard]] Outcome interrupted_after(const ProgramRun& program, const std::string& file) const {
     for (int n = 0; n < 60000 && !fs::exists(folder_ / file); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(fs::exists(folder_ / file));
     program.send(SIGINT);
     return program.wait();
   }
@@ -160,8 +161,9 @@ TEST_F(LocomoteProgram, MovesABodyOnTwoProcessesAsOnOne) {
 
 // mpirun needs some seconds to pass Ctrl-C on, and ends with its own exit code.
 TEST_F(LocomoteProgram, StopsOnTwoProcessesAndGoesOn) {
-  write_study("implicit.toml", "1000",
-              "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\n");
+  write_study(
+      "implicit.toml", "1000",
+      "record_interval_s = 0.005\n[dynamics]\nmethod = \"implicit\"\n[output]\npictures = false\nrecords_per_frame = 1\n");
   const auto reached_s = [&] {
     const io::TomlTable result = io::read_toml(folder_ / "parts/locomotion.toml");
     EXPECT_EQ(result.text("status"), "stopped");
