@@ -17,10 +17,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "fem/picture/picture_parts.h"
 #include "io/picture/chart.h"
+#include "io/picture/path_panel.h"
 #include "meshes/load_cases/observables.h"
 
 namespace menger::fem {
@@ -168,33 +170,22 @@ io::PictureOutcome plot_locomotion(const std::filesystem::path& file, const Loco
                                    const io::PictureStyle& style) {
   if (result.records.size() < 2) return {.missing = "a trajectory of at least two records"};
   std::array<io::ChartSeries, 3> over_time{{{.name = "x"}, {.name = "y"}, {.name = "z"}}};
-  io::ChartSeries from_above{.colour = io::chart_colour(0)};
+  std::vector<double> x;
+  std::vector<double> y;
   for (const WalkRecord& record : result.records) {
     const Point displacement = difference(record.centre_of_mass_m, result.records.front().centre_of_mass_m);
     for (std::size_t i = 0; i < 3; ++i) {
       over_time.at(i).x.push_back(record.time_s);
       over_time.at(i).y.push_back(displacement[i] / result.body_length_m);
     }
-    from_above.x.push_back(displacement[0] / result.body_length_m);
-    from_above.y.push_back(displacement[1] / result.body_length_m);
+    x.push_back(displacement[0] / result.body_length_m);
+    y.push_back(displacement[1] / result.body_length_m);
   }
-  const io::ChartSeries start{.name = "start",
-                              .x = {from_above.x.front()},
-                              .y = {from_above.y.front()},
-                              .marks = io::Marks::points,
-                              .colour = io::chart_ink};
-  const io::ChartSeries end{.name = "end",
-                            .x = {from_above.x.back()},
-                            .y = {from_above.y.back()},
-                            .marks = io::Marks::points,
-                            .colour = io::chart_colour(1)};
-  const io::ChartPanel displacement{.x = {.title = "time (s)"},
-                                    .y = {.title = "displacement of the centre (body lengths)", .least_span = least_chart_span},
-                                    .series = {over_time.begin(), over_time.end()}};
-  const io::ChartPanel path{.x = {.title = "path from above: x (body lengths)", .least_span = least_chart_span},
-                            .y = {.title = "y (body lengths)", .least_span = least_chart_span},
-                            .series = {start, end, from_above},
-                            .equal_scale = true};
+  const io::ChartPanel displacement{
+      .x = {.title = "time (s)"},
+      .y = {.title = "displacement of the centre (body lengths)", .least_span = io::least_path_span},
+      .series = {over_time.begin(), over_time.end()}};
+  const io::ChartPanel path = io::path_panel(std::move(x), std::move(y));
   return io::write_chart(file, {.title = title, .panels = {displacement, path, pressure_panel(result)}}, style);
 }
 

@@ -11,10 +11,6 @@
 
 namespace menger::fem {
 
-/// Axes of displacements cover at least this many body lengths, so that the tremor of a body that stays in place does not fill
-/// the plot.
-inline constexpr double least_chart_span = 0.02;
-
 /// Draws a body at the end of its run, coloured by the displacement of its points, with the edges of the body at the start, the
 /// ground, and on it the path of the centre of mass.
 /// @return what is missing if nothing can be drawn

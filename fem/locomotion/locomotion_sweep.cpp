@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "fem/locomotion/locomotion_picture.h"
 #include "fem/locomotion/locomotion_study_file.h"
 #include "io/picture/chart.h"
+#include "io/picture/path_panel.h"
 #include "io/process/run_folder.h"
 #include "io/shown/shown_column.h"
 #include "io/text/formatted.h"
@@ -29,8 +29,8 @@ io::ShownColumn shown_key(const LocomotionSweep& sweep) {
 /// Returns the panel of the paths from above.
 io::ChartPanel paths_panel(const LocomotionSweep& sweep, const std::vector<SweepCase>& cases) {
   const io::ShownColumn key = shown_key(sweep);
-  io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = least_chart_span},
-                       .y = {.title = "y (body lengths)", .least_span = least_chart_span},
+  io::ChartPanel panel{.x = {.title = "path from above: x (body lengths)", .least_span = io::least_path_span},
+                       .y = {.title = "y (body lengths)", .least_span = io::least_path_span},
                        .equal_scale = true};
   for (const SweepCase& one : cases) {
     io::ChartSeries path{.name = io::shown(key.factor * one.value) + (key.unit.empty() ? "" : " " + key.unit)};
@@ -59,7 +59,7 @@ io::ChartPanel speeds_panel(const LocomotionSweep& sweep, const std::vector<Swee
     along_y.y.push_back(per_minute * travel->displacement_m[1]);
   }
   return {.x = {.title = key.title()},
-          .y = {.title = "speed (body lengths per minute)", .least_span = least_chart_span},
+          .y = {.title = "speed (body lengths per minute)", .least_span = io::least_path_span},
           .series = {along_x, along_y},
           .markers = {}};
 }

@@ -13,24 +13,24 @@ import sys
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
+from discrepancies import SPONGE_CELLS  # noqa: E402
 from sample_statistics import share  # noqa: E402
 from scipy.ndimage import label as pieces_of  # noqa: E402
-from small_tables import InputError, cell, read_table, run_script, toml_text, write_table, write_whole  # noqa: E402
+from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
 
 DRAWN = 2000
 NINE_CELLS = 9  # a Hausdorff dimension of 2: planes, and others
-SPONGE_CELLS = (16, 19)  # of 2.5 to 2.7
-# Keys of [genome] that the released code has other values for.
-RELEASED = {"activations": "released-code", "output_function": "mutable", "expression": "first-consumer", "axes": "zyx"}
-LABELS = {"text": "the paper's text", "text_in_one_piece": "those of them whose aggregates are in one piece", "activations": "negative activation functions, too", "output_function": "outputs that lose their sigmoid",
-          "expression": "later readers of a node get its sum", "axes": "axes in another order", "all": "these four at once"}
+LABELS = {"text": "the paper's text", "text_in_one_piece": "those of them whose aggregates are in one piece",
+          "activations": "negative activation functions, too", "output_function": "outputs that lose their sigmoid", "expression": "later readers of a node get its sum", "axes": "axes in another order", "all": "these four at once"}
 
 
 def keys_of(name):
-    return {"text": {}, "all": RELEASED}.get(name) or {key: RELEASED[key] for key in [name] if key in RELEASED}
+    """What the released code has otherwise in [genome]: all of it, or the key of this name, or nothing."""
+    text, code = (read_toml(HERE.parent / "presets" / f"{preset}.toml")["genome"] for preset in ("paper", "released-code"))
+    return {key: code[key] for key in text if text[key] != code[key] and name in ("all", key)}
 
 
 def drawn():

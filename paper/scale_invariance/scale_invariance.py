@@ -305,11 +305,11 @@ def thresholds(every):
         samples = [angle_and_factor(*moving(rows, 1, 2)) for rows in (every[group], sets[other][1])]
         for largest_deg in ANGLES_DEG:
             for largest in FACTORS:
-                shares = [share(int(carries_over(*sample, largest_deg, largest).sum()), len(sample[0])) for sample in samples]
-                counts = [number for found in samples for number in (int(carries_over(*found, largest_deg, largest).sum()), len(found[0]))]
+                counts = [(int(carries_over(*sample, largest_deg, largest).sum()), len(sample[0])) for sample in samples]
+                shares = [share(*count) for count in counts]
                 row = {"groups": f"{group} and {other}", "label": GROUPS[family].removeprefix("random robots").strip() or "the paper's simulator",
                        "angle_deg": largest_deg, "factor": largest, "robots": len(samples[0][0]), "other_robots": len(samples[1][0])}
-                row |= shares[0].cells("carried_over") | shares[1].cells("other_carried_over") | {"p": fisher(*counts)}
+                row |= shares[0].cells("carried_over") | shares[1].cells("other_carried_over") | {"p": fisher(*counts[0], *counts[1])}
                 made.append({key: cell(value) for key, value in row.items()})
     return made
 

@@ -91,7 +91,7 @@ class Case(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.tree = pathlib.Path(folder.name)
-        for name in ("presets/paper.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/bodies.py", "discrepancies/population.toml",
+        for name in ("presets/paper.toml", "presets/released-code.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/bodies.py", "discrepancies/population.toml",
                      "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/heredity.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml", "fractal/single_precision.toml",
                      "scale_invariance/one_scale.toml", "phase_wave/two_scales.toml"):
             place = self.tree / "paper" / name
