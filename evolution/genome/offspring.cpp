@@ -12,13 +12,19 @@ namespace menger::evolution {
 
 namespace {
 
-/// Chooses each of K networks with probability 1/K; if none was chosen, one of them uniformly.
-std::vector<std::size_t> choose_networks(std::size_t count, RandomStream& random) {
+constexpr std::size_t body_network = 0;
+
+/// Chooses each of K networks with probability 1/K; if none was chosen, one of them uniformly. Where the body must vary, chooses
+/// again until its network is among them.
+std::vector<std::size_t> choose_networks(std::size_t count, bool body_must_vary, RandomStream& random) {
   std::vector<std::size_t> chosen;
-  for (std::size_t network = 0; network < count; ++network) {
-    if (random.chance(1.0 / static_cast<double>(count))) chosen.push_back(network);
-  }
-  if (chosen.empty()) chosen.push_back(random.below(count));
+  do {
+    chosen.clear();
+    for (std::size_t network = 0; network < count; ++network) {
+      if (random.chance(1.0 / static_cast<double>(count))) chosen.push_back(network);
+    }
+    if (chosen.empty()) chosen.push_back(random.below(count));
+  } while (body_must_vary && chosen.front() != body_network);
   return chosen;
 }
 
@@ -56,7 +62,8 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
 Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
                    RandomStream& random) {
   Offspring child{parent, parent_phenotype, 0};
-  for (const std::size_t network : choose_networks(parent.networks.size(), random)) {
+  const bool body_must_vary = !options.mutants_may_keep_body;
+  for (const std::size_t network : choose_networks(parent.networks.size(), body_must_vary, random)) {
     const Cppn original = child.genome.networks[network];
     const Phenotype original_phenotype = child.phenotype;
     bool accepted = false;
@@ -70,6 +77,7 @@ Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, cons
     if (accepted) continue;
     child.genome.networks[network] = original;
     child.phenotype = original_phenotype;
+    if (body_must_vary && network == body_network) break;
   }
   return child;
 }

@@ -57,7 +57,7 @@ void describe_population(io::StudyVisitor& visitor, Part part, SearchPlan& plan)
       plan.selection_time, io::words_of(SelectionTime::generational, SelectionTime::steady_state));
 }
 
-void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
+void describe_genome(io::StudyVisitor& visitor, Part part, OffspringOptions& options) {
   VariationOptions& variation = options.variation;
   ExpressionOptions& expression = options.decoder.expression;
   visitor.word(
@@ -75,6 +75,14 @@ void describe_genome(io::StudyVisitor& visitor, OffspringOptions& options) {
   visitor.word({"axes", "Axes of the body that the network inputs x, y and z stand for."}, expression.axes,
                io::words_of(AxisMap::xyz, AxisMap::zyx));
   visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
+  // Archives of searches that allow it say nothing of it.
+  if (part == Part::identity && options.mutants_may_keep_body) return;
+  visitor.only_if(networks_of(options.decoder.plan).size() > 1, "encoding = \"nonfractal\" or \"nonfractal-two-scales\"", [&] {
+    visitor.boolean(
+        {"mutants_may_keep_body",
+         "Whether a mutant may differ from its parent in its arrangements alone. If not, every mutant has another basal body."},
+        options.mutants_may_keep_body);
+  });
 }
 
 /// Returns whether a study has calibrated parameters, also if they are still to be read. @param visitor at the top of the study
@@ -289,7 +297,7 @@ void describe_but_generations(io::StudyVisitor& visitor, Part part, Study& study
   SearchPlan& plan = study.search;
   visitor.integer({"seed", "Seed of the random numbers."}, plan.seed, io::at_least(0));
   visitor.table({"population", "Size of the population."}, [&] { describe_population(visitor, part, plan); });
-  visitor.table({"genome", "Genomes and how they vary."}, [&] { describe_genome(visitor, plan.offspring); });
+  visitor.table({"genome", "Genomes and how they vary."}, [&] { describe_genome(visitor, part, plan.offspring); });
   visitor.table({"evaluation", "How bodies are evaluated and scored."}, [&] { describe_evaluation(visitor, part, study); });
   const bool is_calibrated = has_parameters(visitor, study);
   visitor.table({"body", "Which bodies are valid."}, [&] { describe_body(visitor, is_calibrated, study); });

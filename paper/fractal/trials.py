@@ -3,7 +3,8 @@
 and trials.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
-             two_scales_balanced/SEED.csv, and random_search/SEED.csv and three_scales/SEED.csv in both folders
+             two_scales_balanced/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and random_search/SEED.csv and three_scales/SEED.csv in
+             both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on stand
 once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared at the
@@ -12,7 +13,8 @@ have the same seeds and so begin with the same robots. Trials went on after thei
 number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a comparison, and of dimensions. The
 best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and
 which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared with trials of random
-search, which draw as many robots, and the control with random search among its own robots.
+search, which draw as many robots, and the control with random search among its own robots and with a control whose mutants all have
+another body, as mutants of fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
 otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
@@ -58,6 +60,7 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False),
+        "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", (0, (6, 1, 1, 1)), "d", is_fractal=False),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
@@ -65,6 +68,7 @@ DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
+               ("non_fractal", "non_fractal_body_mutants"), ("fractal", "non_fractal_body_mutants"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
 STRIDE = 20  # generations between comparisons on the way, and between looks at the test
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one

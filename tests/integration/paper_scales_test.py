@@ -883,7 +883,7 @@ class Trials(Case):
         self.assertEqual([script.looks(generation) for generation in (0, 20, 21, 140)], [1, 1, 2, 7])
         self.assertEqual((script.times_looks(None, 40), script.times_looks(0.6, 40)), (None, 1.0))
 
-    def test_random_search_differs_from_evolution_in_its_population_alone(self):
+    def test_variants_of_a_search_differ_from_it_in_one_thing(self):
         evolution, drawn = (tomllib.loads((SOURCES / f"paper/fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))
         self.assertEqual(drawn.pop("population"), {"survivors": 1, "mutants": 0, "newcomers": 16})
         self.assertEqual(drawn, evolution)
@@ -892,6 +892,10 @@ class Trials(Case):
         for study in (control, drawn):
             del study["seed"], study["generations"]
         self.assertEqual(drawn, control)
+        mutants = tomllib.loads((SOURCES / "paper/non_fractal/body_mutants.toml").read_text())
+        self.assertIs(mutants["genome"].pop("mutants_may_keep_body"), False)
+        del mutants["seed"], mutants["generations"]
+        self.assertEqual(mutants, control)
         population = options_of("paper")
         self.assertEqual(population["population.mutants"] + population["population.newcomers"], 16, "as many robots are asked for in a generation")
 

@@ -112,6 +112,38 @@ TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
   }
 }
 
+TEST(Offspring, ChildrenThatMayNotKeepTheBodyHaveAnotherOne) {
+  RandomStream random(9, "body");
+  OffspringOptions options = released_options(BodyPlan::nonfractal_two_scales);
+  options.mutants_may_keep_body = false;
+  const Offspring parent = random_offspring(options, random);
+  constexpr int samples = 2000;
+  int both = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
+    ASSERT_NE(child.phenotype.body, parent.phenotype.body);
+    both += child.genome.networks[1] != parent.genome.networks[1] ? 1 : 0;
+  }
+  // Of all choices 3/8 are the body alone (in 1/8 none was chosen at first) and 2/8 both: of those with the body 2/5 are both.
+  EXPECT_NEAR(both / static_cast<double>(samples), 0.4, 4.0 * std::sqrt(0.4 * 0.6 / samples));
+}
+
+TEST(Offspring, ArrangementsStayWhereTheBodyMustChangeAndNoTryDid) {
+  RandomStream random(10, "body");
+  OffspringOptions options = released_options(BodyPlan::nonfractal_two_scales);
+  const Offspring parent = random_offspring(options, random);
+  options.mutants_may_keep_body = false;
+  options.largest_tries = 1;
+  int kept = 0;
+  for (int sample = 0; sample < 200; ++sample) {
+    const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
+    if (child.phenotype.body != parent.phenotype.body) continue;
+    ++kept;
+    EXPECT_EQ(child.genome, parent.genome);
+  }
+  EXPECT_GT(kept, 20);
+}
+
 TEST(Offspring, ConstraintsThatNoBodyMeetsAreNamed) {
   for (const auto& [plan, word] : {std::pair{BodyPlan::fractal, "smallest_body_cells = 28"},
                                    {BodyPlan::single_actuator, "smallest_body_cells = 28"},

@@ -106,6 +106,7 @@ seed = 42
 newcomers = 2
 [genome]
 encoding = "nonfractal"
+mutants_may_keep_body = false
 [body]
 levels = [1, 3]
 disconnected = "penalise"
@@ -119,6 +120,7 @@ exclusion_depth = "off"
   EXPECT_EQ(study.search.seed, 42U);
   EXPECT_EQ(study.search.newcomers, 2);
   EXPECT_EQ(study.search.offspring.decoder.plan, BodyPlan::nonfractal);
+  EXPECT_FALSE(study.search.offspring.mutants_may_keep_body);
   EXPECT_EQ(study.search.levels(), (std::vector{1, 3}));
   EXPECT_EQ(study.search.offspring.constraints.disconnected, DisconnectedPolicy::penalise);
   EXPECT_FALSE(study.search.pruning);
@@ -189,6 +191,16 @@ TEST_F(StudyFile, RefusesWhatDoesNotFitWithPlaceKeyAndValue) {
   expect_refused(head + "[body]\nlevels = [1, 9]\n", {place + "3", "levels", "memory"});
   expect_refused(head + "[ground]\nkinetic_friction = 1.5\n",
                  {place + "3", "ground.kinetic_friction = 1.5", "is more than static_friction = 1"});
+}
+
+TEST_F(StudyFile, MutantsThatMayNotKeepTheBodyBelongToTheIdentityOfAStudyThatHasThem) {
+  const std::string head = "preset = \"paper\"\n[genome]\n";
+  const std::string control = head + "encoding = \"nonfractal\"\n";
+  const Study study = read(control + "mutants_may_keep_body = false\n");
+  EXPECT_EQ(study_from_text(resolved_text(study), "resolved"), study);
+  EXPECT_NE(identity_text(study), identity_text(read(control)));
+  EXPECT_EQ(identity_text(read(control)).find("mutants_may_keep_body"), std::string::npos);
+  expect_refused(head + "mutants_may_keep_body = false\n", {"study.toml:3", "genome.mutants_may_keep_body", "nonfractal"});
 }
 
 TEST_F(StudyFile, ChecksOfTheTimeStepBelongToTheIdentityOfAStudyThatHasThem) {
