@@ -36,6 +36,9 @@ struct Phenotype {
   [[nodiscard]] bool has_arrangements() const { return arrangement.nx() > 0; }
 };
 
+/// The cells of the arrays of a phenotype with two arrangements, which no phenotype has more of.
+inline constexpr std::size_t largest_array_cells = 3 * basal_cells;
+
 /// The largest level of a phenotype with arrangements.
 inline constexpr int largest_arranged_level = 3;
 

@@ -1,6 +1,8 @@
 #include "evolution/genome/offspring.h"
 
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,6 +28,14 @@ std::vector<std::size_t> choose_networks(std::size_t count, bool body_must_vary,
     if (chosen.empty()) chosen.push_back(random.below(count));
   } while (body_must_vary && chosen.front() != body_network);
   return chosen;
+}
+
+/// Returns in how many cells of all arrays two phenotypes of a body plan differ.
+std::size_t changed_cells(const Phenotype& child, const Phenotype& parent) {
+  const std::string child_key = phenotype_key(child);
+  const std::string parent_key = phenotype_key(parent);
+  return std::transform_reduce(child_key.begin(), child_key.end(), parent_key.begin(), std::size_t{0}, std::plus<>(),
+                               std::not_equal_to<>());
 }
 
 /// Returns how many bodies were refused for each reason, as in "too small: 12, weak contact: 3".
@@ -72,7 +82,8 @@ Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, cons
       child.genome.networks[network] = original;
       vary(child.genome.networks[network], options.variation, random);
       decode_network(child.genome, network, options.decoder, child.phenotype);
-      accepted = child.phenotype != parent_phenotype && is_valid(child.phenotype, options.constraints);
+      const std::size_t changed = changed_cells(child.phenotype, parent_phenotype);
+      accepted = changed > 0 && changed <= options.most_changed_cells && is_valid(child.phenotype, options.constraints);
     }
     if (accepted) continue;
     child.genome.networks[network] = original;

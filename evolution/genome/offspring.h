@@ -15,9 +15,10 @@ struct OffspringOptions {
   VariationOptions variation;
   DecoderOptions decoder;
   ConstraintOptions constraints;
-  std::size_t largest_tries = 1500;       ///< most variations tried per network of a child
-  std::size_t largest_draws = 1'000'000;  ///< most genomes drawn for one random individual
-  bool mutants_may_keep_body = true;      ///< whether a child may differ in its arrangements alone
+  std::size_t largest_tries = 1500;                      ///< most variations tried per network of a child
+  std::size_t largest_draws = 1'000'000;                 ///< most genomes drawn for one random individual
+  std::size_t most_changed_cells = largest_array_cells;  ///< most cells of all arrays in which a child may differ
+  bool mutants_may_keep_body = true;                     ///< whether a child may differ in its arrangements alone
 
   bool operator==(const OffspringOptions&) const = default;
 };
@@ -38,8 +39,8 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
 ///
 /// Each of the K networks is chosen with probability 1/K; if none is chosen, one is drawn uniformly. Each chosen network is
 /// varied in turn: up to largest_tries times, one uniformly drawn operator is applied to a copy of it. The copy is kept as soon
-/// as the child's phenotype is valid and differs from the parent's. If no copy is kept, the network stays as it is, so the child
-/// may equal its parent.
+/// as the child's phenotype is valid and differs from the parent's, in most_changed_cells at most. If no copy is kept, the
+/// network stays as it is, so the child may equal its parent.
 ///
 /// Unless mutants_may_keep_body, networks are chosen again until that of the basal body is among them, and the others stay as
 /// they are if no copy of it is kept: a child has another basal body, or equals its parent. Precondition: parent_phenotype is the

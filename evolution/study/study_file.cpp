@@ -75,7 +75,12 @@ void describe_genome(io::StudyVisitor& visitor, Part part, OffspringOptions& opt
   visitor.word({"axes", "Axes of the body that the network inputs x, y and z stand for."}, expression.axes,
                io::words_of(AxisMap::xyz, AxisMap::zyx));
   visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
-  // Archives of searches that allow it say nothing of it.
+  // Archives of searches that limit no mutants say nothing of limits.
+  if (part != Part::identity || options.most_changed_cells < largest_array_cells) {
+    visitor.integer({"most_changed_cells",
+                     "Most cells, of the basal body and of arrangements together, in which a mutant may differ from its parent."},
+                    options.most_changed_cells, io::within(1, largest_array_cells));
+  }
   if (part == Part::identity && options.mutants_may_keep_body) return;
   visitor.only_if(networks_of(options.decoder.plan).size() > 1, "encoding = \"nonfractal\" or \"nonfractal-two-scales\"", [&] {
     visitor.boolean(

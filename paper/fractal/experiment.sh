@@ -9,6 +9,9 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "balanced_$seed" "2 min of two cores" "20 generations with beams whose moments balance their forces"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
+  part "single_cells_$seed" "4 min of two cores" "40 generations in which a mutant differs from its parent in a single cell"
+done
+for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
@@ -29,6 +32,7 @@ full() {
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "two_scales_$seed() { search two_scales $seed; }"
   eval "in_pieces_$seed() { search two_scales_in_pieces $seed; }"
+  eval "single_cells_$seed() { search single_cells $seed; }"
   eval "balanced_$seed() { search two_scales_balanced $seed; }"
   # Another seed than that of a trial: with the same one, the robots of its first generation would be among those that are drawn.
   eval "random_search_$seed() { search random_search $((2000 + seed)); }"
@@ -47,8 +51,10 @@ individuals_of() {
 heredity() {
   rm -rf "$results/individuals"
   each_archive "$results/two_scales_" .sqlite "fractal two_scales_1" individuals_of fractal || true
+  each_archive "$results/single_cells_" .sqlite "fractal single_cells_1" individuals_of single_cells || true
   each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced || true
   each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control || true
+  each_archive build/paper/non_fractal/body_mutants_ .sqlite "non_fractal body_mutants_1" individuals_of body_mutants || true
   "$study/heredity.py" "$results/individuals"
 }
 

@@ -3,7 +3,7 @@
 and trials.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
-             two_scales_balanced/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and random_search/SEED.csv and three_scales/SEED.csv in
+             two_scales_balanced/SEED.csv, single_cells/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and random_search/SEED.csv and three_scales/SEED.csv in
              both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on stand
@@ -13,8 +13,8 @@ have the same seeds and so begin with the same robots. Trials went on after thei
 number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a comparison, and of dimensions. The
 best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and
 which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared with trials of random
-search, which draw as many robots, and the control with random search among its own robots and with a control whose mutants all have
-another body, as mutants of fractals have.
+search, which draw as many robots, and with trials whose mutants differ in a single cell and so inherit more. The control is compared with
+random search among its own robots, and with trials in which every mutant has another body, as mutants of fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
 otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
@@ -57,6 +57,7 @@ NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v"),
         "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P"),
+        "single_cells": Arm(HERE / "single_cells", "single cells mutate", "#661100", (0, (2, 1, 6, 1)), "h"),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False),
@@ -67,6 +68,7 @@ LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
 COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
+               ("single_cells", "fractal"), ("single_cells", "random_search"),
                ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
                ("non_fractal", "non_fractal_body_mutants"), ("fractal", "non_fractal_body_mutants"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))

@@ -892,6 +892,9 @@ class Trials(Case):
         for study in (control, drawn):
             del study["seed"], study["generations"]
         self.assertEqual(drawn, control)
+        cells = tomllib.loads((SOURCES / "paper/fractal/single_cells.toml").read_text())
+        self.assertEqual(cells.pop("genome"), {"most_changed_cells": 1})
+        self.assertEqual(cells | {"generations": evolution["generations"]}, evolution)
         mutants = tomllib.loads((SOURCES / "paper/non_fractal/body_mutants.toml").read_text())
         self.assertIs(mutants["genome"].pop("mutants_may_keep_body"), False)
         del mutants["seed"], mutants["generations"]
@@ -933,6 +936,7 @@ class Trials(Case):
                 [2, 0, f"{body_of}|101{arranged[3:]}", 0.06, 0, "", ""],  # another one, not needed at 9 cells
                 [3, 0, f"1111{body_of[4:]}|{arranged}", 0.015, 0, 0.18, 0]]  # another body, slower at 3
         write(self.tree / "found/control-1001/individuals.csv", columns, rows)
+        write(self.tree / "found/body_mutants-4001/individuals.csv", columns, [rows[0], rows[3]])
         write(self.tree / "found/fractal-1/individuals.csv", columns, [[0, "", body_of, 0.06, 0, 0.09, 0]]
               + [[n, 0, "1111" + "0" * 23, 0.03 * n, 0, 0.135, 0] for n in range(1, 13)])
         self.done("fractal/heredity.py", self.tree / "found")
@@ -940,6 +944,7 @@ class Trials(Case):
         self.assertEqual({key: (row["robots"], row["fitter"], row["fast"]) for key, row in rows.items() if key[0] == "control"},
                          {("control", "mutants of the body"): ("1", "0", "0"), ("control", "mutants of its arrangement alone"): ("2", "0.5", "0.5"),
                           ("control", "drawn at random"): ("1", "", "0")})
+        self.assertEqual([kind for arm, kind in rows if arm == "body_mutants"], ["mutants of the body", "drawn at random"])
         self.assertEqual(rows["fractal", "mutants"]["fitter"], f"{11 / 12:.4g}", "all but the one that goes as fast")
         self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/fractal/heredity.csv")}, {"fractal"})
         before = [(self.tree / f"paper/fractal/{name}.csv").read_text() for name in ("heredity", "mutants")]

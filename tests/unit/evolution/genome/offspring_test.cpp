@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -142,6 +143,28 @@ TEST(Offspring, ArrangementsStayWhereTheBodyMustChangeAndNoTryDid) {
     EXPECT_EQ(child.genome, parent.genome);
   }
   EXPECT_GT(kept, 20);
+}
+
+TEST(Offspring, ChildrenDifferInAsManyCellsAsTheyMay) {
+  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal}) {
+    RandomStream random(11, "cells");
+    OffspringOptions options = released_options(plan);
+    Offspring parent = random_offspring(options, random);
+    while (parent.phenotype.body.count() > 18)
+      parent = random_offspring(options, random);  // hardly a step changes one cell of a full cube
+    const std::string parent_key = phenotype_key(parent.phenotype);
+    for (const std::size_t most : {1U, 3U}) {
+      options.most_changed_cells = most;
+      std::set<std::size_t> counts;
+      for (int sample = 0; sample < 100; ++sample) {
+        const std::string key = phenotype_key(child_of(parent.genome, parent.phenotype, options, random).phenotype);
+        std::size_t changed = 0;
+        for (std::size_t cell = 0; cell < key.size(); ++cell) changed += key[cell] != parent_key[cell] ? 1U : 0U;
+        counts.insert(changed);
+      }
+      EXPECT_EQ(*counts.rbegin(), most) << to_string(plan);
+    }
+  }
 }
 
 TEST(Offspring, ConstraintsThatNoBodyMeetsAreNamed) {
