@@ -9,7 +9,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "balanced_$seed" "2 min of two cores" "20 generations with beams whose moments balance their forces"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "single_cells_$seed" "4 min of two cores" "40 generations in which a mutant differs from its parent in a single cell"
+  part "single_cells_$seed" "2 min of two cores" "40 generations in which a mutant differs from its parent in a single cell"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"

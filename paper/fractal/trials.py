@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv, on_the_way.csv
-and trials.svg.
+"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv, on_the_way.csv,
+trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and random_search/SEED.csv and three_scales/SEED.csv in
@@ -18,6 +18,7 @@ random search among its own robots, and with trials in which every mutant has an
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
 otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
+trials.svg shows the paper's experiment, its control and random search; variants.svg the arms that change one thing in one of these, beside it.
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -47,6 +48,7 @@ class Arm:
     dashes: str | tuple
     mark: str
     is_fractal: bool = True  # robots of the control are none, and have no dimension
+    is_variant: bool = False  # of the paper's experiment or its control: one thing is changed
 
     def longer(self):
         dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1)), (0, (4, 1)): (0, (4, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
@@ -55,13 +57,13 @@ class Arm:
 
 NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
-        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v"),
-        "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P"),
-        "single_cells": Arm(HERE / "single_cells", "single cells mutate", "#661100", (0, (2, 1, 6, 1)), "h"),
+        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", is_variant=True),
+        "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P", is_variant=True),
+        "single_cells": Arm(HERE / "single_cells", "single cells mutate", "#661100", (0, (2, 1, 6, 1)), "h", is_variant=True),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
-        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False),
-        "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", (0, (6, 1, 1, 1)), "d", is_fractal=False),
+        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False, is_variant=True),
+        "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", (0, (6, 1, 1, 1)), "d", is_fractal=False, is_variant=True),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
@@ -257,14 +259,28 @@ def draw_dimensions(panel, trials):
     panel.set(xlabel="generation (at the end a point for each trial)", ylabel="Hausdorff dimension H\nof the best robot", ylim=(min(1.75, lowest - 0.1), 3.08), xlim=(0, labels + 0.21 * last))
 
 
-def draw(arms):
-    """Fitness over generations and at the end, the scales apart, and the dimension; readable where it is printed 6.5 inches wide."""
-    pyplot = pyplot_for_svg()
-    pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
+def finish(figure, panels, name):
+    """Titles and letters the panels, which are pairs of axes and titles, and writes the figure."""
+    for (panel, title), letter in zip(panels, ascii_lowercase):
+        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
+        panel.grid(color="#dddddd")
+        panel.set_axisbelow(True)
+        if panel.get_xlabel() == "generation":
+            panel.xaxis.get_major_locator().set_params(integer=True)
+    settle(figure)
+    write_svg(figure, HERE / f"{name}.svg")
+
+
+def height_of_ends(arms):
+    return 0.6 + 0.34 * len(arms)
+
+
+def draw_trials(pyplot, arms):
+    """Fitness over generations and at the end, the scales apart, and the dimension."""
     longest = [f"{name}_longer" if f"{name}_longer" in arms else name for name in ARMS if name in arms]
     with_dimension = next((arm for arm in longest if DRAWN[arm].is_fractal), None)
     rows = -(-len(longest) // 2)
-    heights = [1.9, 0.6 + 0.34 * len(arms), *[1.9] * rows, *[2.3] * bool(with_dimension)]
+    heights = [1.9, height_of_ends(arms), *[1.9] * rows, *[2.3] * bool(with_dimension)]
     figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
     grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
     panels = [(figure.add_subplot(grid[0, :]), "best robot"), (figure.add_subplot(grid[1, :]), "every trial at the end (line: median)")]
@@ -282,14 +298,34 @@ def draw(arms):
     if with_dimension:
         panels.append((figure.add_subplot(grid[-1, :]), f"dimension, {DRAWN[with_dimension].label}"))
         draw_dimensions(panels[-1][0], arms[with_dimension])
-    for (panel, title), letter in zip(panels, ascii_lowercase):
-        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
-        panel.grid(color="#dddddd")
-        panel.set_axisbelow(True)
-        if panel.get_xlabel() == "generation":
-            panel.xaxis.get_major_locator().set_params(integer=True)
-    settle(figure)
-    write_svg(figure, HERE / "trials.svg")
+    finish(figure, panels, "trials")
+
+
+def draw_variants(pyplot, arms):
+    """Fitness over generations of fractals and of the control, each with its variants, and all at the end."""
+    kinds = {"fractals": {name: arm for name, arm in arms.items() if DRAWN[name].is_fractal},
+             "the control": {name: arm for name, arm in arms.items() if not DRAWN[name].is_fractal}}
+    kinds = {title: of_kind for title, of_kind in kinds.items() if of_kind}
+    heights = [*[2.4] * len(kinds), height_of_ends(arms)]
+    figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
+    grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
+    panels = [(figure.add_subplot(grid[row]), f"best robot, {title}") for row, title in enumerate(kinds)]
+    for (panel, _), of_kind in zip(panels, kinds.values()):
+        draw_fitness(panel, of_kind)
+    panels.append((figure.add_subplot(grid[-1]), "every trial at the end (line: median)"))
+    draw_ends(panels[-1][0], arms)
+    finish(figure, panels, "variants")
+
+
+def draw(arms):
+    """Both figures, readable where they are printed 6.5 inches wide."""
+    pyplot = pyplot_for_svg()
+    pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
+    main_arms = {name: arm for name, arm in arms.items() if not DRAWN[name].is_variant}
+    if main_arms:
+        draw_trials(pyplot, main_arms)
+    if len(main_arms) < len(arms):
+        draw_variants(pyplot, {name: arm for name, arm in arms.items() if len(arm[0].speeds) == 2})  # without those at three scales
 
 
 def main(arguments):

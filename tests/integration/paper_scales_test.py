@@ -712,6 +712,7 @@ class Trials(Case):
         self.assertEqual((found["non_fractal"]["dimension_p_paper"], found["non_fractal"]["dimension_outcome"]), ("", ""))
         self.assertEqual(len(table_of(folder / "champions.csv")), 25)
         xml.dom.minidom.parse(str(folder / "trials.svg"))
+        self.assertFalse((folder / "variants.svg").exists(), "there is no variant")
 
     def test_outcomes_are_open_where_the_interval_has_no_effect_inside(self):
         # Eight of ten are slower at the larger scale: 49 to 94 %. All ten are between 2.5 and 2.7, where five of the paper's ten are planes:
@@ -851,6 +852,10 @@ class Trials(Case):
         for seed in range(2001, 2004):
             self.trial("fractal/random_search", seed, 0.0005 * seed)
         self.done(self.script)
+        for name, shown in (("trials", False), ("variants", True)):
+            figure = (self.tree / f"paper/fractal/{name}.svg").read_text()
+            self.assertEqual("<!-- fractal, may fall apart (n = 10) -->" in figure, shown, name)
+            self.assertIn("<!-- fractal (n = 10) -->", figure)
         pieces, drawn = table_of(self.tree / "paper/fractal/comparisons.csv")
         self.assertEqual((pieces["arms"], pieces["test"], pieces["p"], pieces["larger"]), ("fractal and in_pieces", "signed rank", "0.003906", "0.9"))
         self.assertEqual((pieces["larger_outcome"], float(pieces["larger_low"]) > 0.5), ("reproduced", True))
