@@ -36,7 +36,7 @@ struct Phenotype {
   [[nodiscard]] bool has_arrangements() const { return arrangement.nx() > 0; }
 };
 
-/// The cells of the arrays of a phenotype with two arrangements, which no phenotype has more of.
+/// The most cells that the arrays of a phenotype have together.
 inline constexpr std::size_t largest_array_cells = 3 * basal_cells;
 
 /// The largest level of a phenotype with arrangements.

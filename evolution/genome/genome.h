@@ -28,6 +28,8 @@ struct NetworkPlan {
   Activation output_activation = Activation::sigmoid;  ///< sigmoid, or identity where the plain sum is the output
 };
 
+inline constexpr std::size_t body_network = 0;  ///< the place of the network of the basal body among those of every plan
+
 /// Returns the networks of a body plan, that of the basal body first. A single output passes on its plain sum: only its sign
 /// counts, and the sigmoid would keep the sign.
 std::vector<NetworkPlan> networks_of(BodyPlan plan);

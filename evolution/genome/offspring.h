@@ -42,9 +42,9 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
 /// as the child's phenotype is valid and differs from the parent's, in most_changed_cells at most. If no copy is kept, the
 /// network stays as it is, so the child may equal its parent.
 ///
-/// Unless mutants_may_keep_body, networks are chosen again until that of the basal body is among them, and the others stay as
-/// they are if no copy of it is kept: a child has another basal body, or equals its parent. Precondition: parent_phenotype is the
-/// phenotype of the parent.
+/// Unless mutants_may_keep_body, a child that has the body of its parent is then given another one in the same way, by variations
+/// of that network, and equals its parent if no copy is kept. So arrangements vary as often as they do else. Precondition:
+/// parent_phenotype is the phenotype of the parent.
 Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
                    RandomStream& random);
 

@@ -76,18 +76,21 @@ void describe_genome(io::StudyVisitor& visitor, Part part, OffspringOptions& opt
                io::words_of(AxisMap::xyz, AxisMap::zyx));
   visitor.integer({"largest_tries", "Mutations that are tried until a body is valid."}, options.largest_tries, io::at_least(1));
   // Archives of searches that limit no mutants say nothing of limits.
-  if (part != Part::identity || options.most_changed_cells < largest_array_cells) {
+  const std::size_t networks = networks_of(options.decoder.plan).size();
+  if (part != Part::identity || options.most_changed_cells < networks * basal_cells) {
     visitor.integer({"most_changed_cells",
-                     "Most cells, of the basal body and of arrangements together, in which a mutant may differ from its parent."},
+                     "Most cells, of the basal body and of arrangements together, that appear, vanish or change material in a "
+                     "mutant. A mutant that largest_tries do not suffice for equals its parent."},
                     options.most_changed_cells, io::within(1, largest_array_cells));
   }
-  if (part == Part::identity && options.mutants_may_keep_body) return;
-  visitor.only_if(networks_of(options.decoder.plan).size() > 1, "encoding = \"nonfractal\" or \"nonfractal-two-scales\"", [&] {
-    visitor.boolean(
-        {"mutants_may_keep_body",
-         "Whether a mutant may differ from its parent in its arrangements alone. If not, every mutant has another basal body."},
-        options.mutants_may_keep_body);
-  });
+  if (part != Part::identity || !options.mutants_may_keep_body) {
+    visitor.only_if(networks > 1, "encoding = \"nonfractal\" or \"nonfractal-two-scales\"", [&] {
+      visitor.boolean({"mutants_may_keep_body",
+                       "Whether a mutant may differ from its parent in its arrangements alone. If not, it is given another basal "
+                       "body, too; one that largest_tries do not suffice for equals its parent."},
+                      options.mutants_may_keep_body);
+    });
+  }
 }
 
 /// Returns whether a study has calibrated parameters, also if they are still to be read. @param visitor at the top of the study

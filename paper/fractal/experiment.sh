@@ -3,13 +3,13 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "two_scales_$seed" "11 min of two cores" "140 generations at the scales of 3 and 9 cells"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "in_pieces_$seed" "2 min of two cores" "20 generations where aggregates may fall apart"
+  part "in_pieces_$seed" "8 min of two cores" "60 generations where aggregates may fall apart"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "balanced_$seed" "2 min of two cores" "20 generations with beams whose moments balance their forces"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "single_cells_$seed" "2 min of two cores" "40 generations in which a mutant differs from its parent in a single cell"
+  part "single_cells_$seed" "2 min of two cores" "40 generations in which a mutant differs from its parent in one cell at most"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
@@ -54,7 +54,6 @@ heredity() {
   each_archive "$results/single_cells_" .sqlite "fractal single_cells_1" individuals_of single_cells || true
   each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced || true
   each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control || true
-  each_archive build/paper/non_fractal/body_mutants_ .sqlite "non_fractal body_mutants_1" individuals_of body_mutants || true
   "$study/heredity.py" "$results/individuals"
 }
 

@@ -7,7 +7,7 @@ heredity.csv  for each arm and number of cells, means over trials with bootstrap
               parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
 mutants.csv   for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
               and the share of mutants that are fitter than their parents. Mutants of the control, whose larger scale evolves apart, are
-              those that change the body and those that change its arrangement alone; control and body_mutants are not in heredity.csv
+              those that change the body and those that change its arrangement alone; the control is not in heredity.csv
 
 The larger scale walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten such mutants count.
 Exit codes: 0 done, 2 wrong input.
@@ -29,7 +29,7 @@ LEVELS = (1, 2)
 CELLS_CHANGED = ((1, 1), (2, 2), (3, 4), (5, 8), (9, 27))
 FEWEST_MUTANTS = 10  # of a trial, fewer of which have no rank correlation to speak of
 FAST_PER_MINUTE = 15.0
-ARMS = ("fractal", "single_cells", "balanced", "control", "body_mutants")  # in the order of the tables
+ARMS = ("fractal", "single_cells", "balanced", "control")  # in the order of the tables
 
 
 def speeds_of(rows, level):
@@ -91,8 +91,6 @@ def fast_robots(arm, trials):
     """Who did not walk at the larger scale was not needed there, and counts as slow, and as no fitter than its parent."""
     both = [[np.min([trial.speeds[level][side] for level in LEVELS], axis=0) for side in (0, 1)] for trial in trials]  # of parents and of mutants
     for kind in trials[0].kinds:
-        if not any(trial.kinds[kind].any() for trial in trials):
-            continue  # of body_mutants none changes its arrangement alone
         parents, mutants = zip(*([side[trial.kinds[kind]] for side in sides] for trial, sides in zip(trials, both)))
         fitter = mean([float(np.mean(one > other)) for one, other in zip(mutants, parents)])
         yield {"arm": arm, "kind": kind, "trials": len(trials), "robots": sum(map(len, mutants))} | fast_share(mutants) | fitter.cells("fitter")
@@ -102,7 +100,7 @@ def fast_robots(arm, trials):
 
 
 # The rows of each table, and the arms that it has
-TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "mutants": (fast_robots, ARMS)}
+TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "mutants": (fast_robots, ("fractal", "balanced", "control"))}
 
 
 def main(arguments):

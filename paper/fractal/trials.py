@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv, on_the_way.csv,
-trials.svg and variants.svg.
+equal_evaluations.csv, trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and random_search/SEED.csv and three_scales/SEED.csv in
@@ -8,7 +8,7 @@ trials.py    reads the tables of trials that there are: two_scales/SEED.csv here
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on stand
 once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared at the
-last generation that both have (on_the_way.csv: every twentieth before it): by the rank-sum test, or by the signed-rank test where they
+last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum test, or by the signed-rank test where they
 have the same seeds and so begin with the same robots. Trials went on after their test had been looked at. So p_looks is p times the
 number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a comparison, and of dimensions. The
 best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and
@@ -87,12 +87,18 @@ class Trial:
         # Before any robot has a fitness the best is none.
         self.best = self.column("best_fitness_body_lengths", "0") * PER_MINUTE
         self.dimension = self.column("hausdorff_dimension", "nan")
+        self.evaluations = self.column("evaluations", "0").cumsum() if "evaluations" in rows[0] else None
         self.cells = int(self.rows[-1]["champion_cells"])
         columns = {level: f"level_{level}_displacement_body_lengths" for level in LEVELS}
         self.speeds = {level: self.column(column, "nan") * PER_MINUTE for level, column in columns.items() if column in self.rows[0]}
 
     def column(self, name, otherwise):
         return np.array([float(row[name] or otherwise) for row in self.rows])
+
+    def best_after(self, evaluations):
+        """The best fitness of the last generation that needed no more evaluations, and this generation."""
+        generation = int(np.searchsorted(self.evaluations, evaluations, side="right")) - 1
+        return float(self.best[generation]), generation
 
     def last_speed(self, level):
         return float(self.speeds[level][-1]) if level in self.speeds else None
@@ -166,16 +172,25 @@ def statistics(arms):
     return rows
 
 
+def tested(one, other, ends):
+    """The test of two samples of fitness, pairs where trials have the same seeds; its p; the share of pairs in which the first is larger."""
+    if [trial.seed for trial in one] == [trial.seed for trial in other]:
+        return "signed rank", signed_rank(*ends), share_of_larger_pairs(*ends)
+    return "rank sum", rank_sum(*ends), share_of_larger(*ends)
+
+
+def medians_ratio(ends):
+    return float(np.median(ends[0]) / np.median(ends[1]))
+
+
 def comparison(names, one, other, generation):
     """Of the best robots at a generation."""
     ends = [[trial.best[generation] for trial in trials] for trials in (one, other)]
-    are_pairs = [trial.seed for trial in one] == [trial.seed for trial in other]
-    larger = share_of_larger_pairs(*ends) if are_pairs else share_of_larger(*ends)
-    p = signed_rank(*ends) if are_pairs else rank_sum(*ends)
+    test, p, larger = tested(one, other, ends)
     p_looks = times_looks(p, generation)
     return {"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": generation,
-            "test": "signed rank" if are_pairs else "rank sum", "p": p, "looks": looks(generation), "p_looks": p_looks} | larger.cells("larger") | {
-            "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p_looks) else "open"], "medians_ratio": float(np.median(ends[0]) / np.median(ends[1]))}
+            "test": test, "p": p, "looks": looks(generation), "p_looks": p_looks} | larger.cells("larger") | {
+            "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p_looks) else "open"], "medians_ratio": medians_ratio(ends)}
 
 
 def compared(arms):
@@ -194,6 +209,21 @@ def on_the_way(arms):
     """The same at every twentieth generation before the last one."""
     rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE)]
     return [{"arms": row["arms"], "generations": row["generations"]} | row for row in rows]
+
+
+def at_equal_evaluations(arms):
+    """The best robots after as many walks: as many as the trial of both arms that has the fewest at the last generation that both have."""
+    rows = []
+    for names, one, other, last in compared(arms):
+        if any(trial.evaluations is None for trial in one + other):
+            continue
+        evaluations = min(trial.evaluations[last] for trial in one + other)
+        reached = [[trial.best_after(evaluations) for trial in trials] for trials in (one, other)]
+        ends, generations = zip(*(zip(*trials) for trials in reached))
+        test, p, larger = tested(one, other, ends)
+        rows.append({"arms": " and ".join(names), "evaluations": int(evaluations), "generations": float(np.mean(generations[0])), "other_generations": float(np.mean(generations[1])),
+                     "test": test, "p": p} | larger.cells("larger") | {"medians_ratio": medians_ratio(ends)})
+    return rows
 
 
 def draw_mean(panel, curves, colour, dashes, label):
@@ -338,7 +368,7 @@ def main(arguments):
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")
     for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("comparisons", comparisons(arms)),
-                       ("on_the_way", on_the_way(arms))):
+                       ("on_the_way", on_the_way(arms)), ("equal_evaluations", at_equal_evaluations(arms))):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
     draw(arms)

@@ -113,23 +113,32 @@ TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
   }
 }
 
-TEST(Offspring, ChildrenThatMayNotKeepTheBodyHaveAnotherOne) {
-  RandomStream random(9, "body");
-  OffspringOptions options = released_options(BodyPlan::nonfractal_two_scales);
-  options.mutants_may_keep_body = false;
-  const Offspring parent = random_offspring(options, random);
-  constexpr int samples = 2000;
-  int both = 0;
-  for (int sample = 0; sample < samples; ++sample) {
-    const Offspring child = child_of(parent.genome, parent.phenotype, options, random);
-    ASSERT_NE(child.phenotype.body, parent.phenotype.body);
-    both += child.genome.networks[1] != parent.genome.networks[1] ? 1 : 0;
+TEST(Offspring, ChildrenThatMayNotKeepTheBodyHaveAnotherOneAndVaryTheirArrangementsAsOften) {
+  for (const BodyPlan plan : {BodyPlan::nonfractal_two_scales, BodyPlan::nonfractal}) {
+    RandomStream random(9, "body");
+    OffspringOptions options = released_options(plan);
+    const Offspring parent = random_offspring(options, random);
+    constexpr int samples = 1000;
+    std::array<int, 2> arranged{};
+    for (const bool may_keep : {true, false}) {
+      options.mutants_may_keep_body = may_keep;
+      for (int sample = 0; sample < samples; ++sample) {
+        const Phenotype child = child_of(parent.genome, parent.phenotype, options, random).phenotype;
+        ASSERT_TRUE(may_keep || child.body != parent.phenotype.body);
+        const bool is_arranged = child.arrangement != parent.phenotype.arrangement ||
+                                 child.arrangement_of_arrangements != parent.phenotype.arrangement_of_arrangements;
+        arranged.at(may_keep ? 0 : 1) += is_arranged ? 1 : 0;
+      }
+    }
+    // Four standard deviations of the difference of two shares.
+    const double share = arranged[0] / static_cast<double>(samples);
+    EXPECT_GT(share, 0.2);
+    EXPECT_NEAR(arranged[1] / static_cast<double>(samples), share, 4.0 * std::sqrt(2.0 * share * (1.0 - share) / samples))
+        << to_string(plan);
   }
-  // Of all choices 3/8 are the body alone (in 1/8 none was chosen at first) and 2/8 both: of those with the body 2/5 are both.
-  EXPECT_NEAR(both / static_cast<double>(samples), 0.4, 4.0 * std::sqrt(0.4 * 0.6 / samples));
 }
 
-TEST(Offspring, ArrangementsStayWhereTheBodyMustChangeAndNoTryDid) {
+TEST(Offspring, AChildEqualsItsParentWhereTheBodyMustChangeAndNoTryDid) {
   RandomStream random(10, "body");
   OffspringOptions options = released_options(BodyPlan::nonfractal_two_scales);
   const Offspring parent = random_offspring(options, random);
@@ -141,6 +150,7 @@ TEST(Offspring, ArrangementsStayWhereTheBodyMustChangeAndNoTryDid) {
     if (child.phenotype.body != parent.phenotype.body) continue;
     ++kept;
     EXPECT_EQ(child.genome, parent.genome);
+    EXPECT_EQ(child.phenotype, parent.phenotype);
   }
   EXPECT_GT(kept, 20);
 }
