@@ -12,7 +12,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "single_cells_$seed" "2 min of two cores" "40 generations in which a mutant differs from its parent in one cell at most"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, all drawn at random"
+  part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, but 14, all drawn at random"
 done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
 part_on_request heredity "1 min" "how much of a parent's speed its mutants keep, of the trials here and of non_fractal whose archives are there"
