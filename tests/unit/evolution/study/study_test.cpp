@@ -201,7 +201,8 @@ TEST_F(StudyFile, LimitsOfMutantsBelongToTheIdentityOfAStudyThatHasThem) {
   EXPECT_NE(identity_text(study), identity_text(read(control)));
   EXPECT_EQ(identity_text(read(control)).find("mutants_may_keep_body"), std::string::npos);
   EXPECT_EQ(identity_text(read(control)).find("most_changed_cells"), std::string::npos);
-  EXPECT_NE(identity_text(read(head + "most_changed_cells = 1\n")), identity_text(read(head)));
+  EXPECT_NE(identity_text(read(head + "most_changed_cells = 26\n")), identity_text(read(head)));
+  EXPECT_EQ(identity_text(read(head + "most_changed_cells = 27\n")), identity_text(read(head))) << "a fractal has 27 cells";
   for (const std::string cells : {"0", "82"})
     expect_refused(head + "most_changed_cells = " + cells + "\n", {"study.toml:3", "genome.most_changed_cells = " + cells});
   expect_refused(head + "mutants_may_keep_body = false\n", {"study.toml:3", "genome.mutants_may_keep_body", "nonfractal"});
