@@ -1,6 +1,7 @@
 """Figures of experiments: SVG files that are the same for the same numbers, so that git shows only what changed."""
 
 import io
+from string import ascii_lowercase
 
 from small_tables import write_whole
 
@@ -14,6 +15,14 @@ def pyplot_for_svg():
 
     matplotlib.rcParams |= {"svg.hashsalt": "menger", "font.size": 9}
     return pyplot
+
+
+def letter_panels(titled):
+    """Gives panels, which come with their titles, letters from a on, and a grid behind what they show."""
+    for letter, (panel, title) in zip(ascii_lowercase, titled):
+        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
+        panel.grid(color="#dddddd")
+        panel.set_axisbelow(True)
 
 
 def settle(figure):

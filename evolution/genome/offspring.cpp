@@ -24,55 +24,30 @@ std::vector<std::size_t> choose_networks(std::size_t count, RandomStream& random
   return chosen;
 }
 
-/// Makes a child step by step.
-class Variation {
- public:
-  Variation(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options)
-      : parent_(parent), parent_phenotype_(parent_phenotype), options_(options), child_{parent, parent_phenotype, 0} {}
+/// Returns whether two phenotypes of a body plan differ in no more cells than a limit.
+bool is_near(const Phenotype& child, const Phenotype& parent, std::size_t most_changed_cells) {
+  if (most_changed_cells >= largest_array_cells) return true;
+  const std::string key = phenotype_key(child);
+  return std::transform_reduce(key.begin(), key.end(), phenotype_key(parent).begin(), std::size_t{0}, std::plus<>(),
+                               std::not_equal_to<>()) <= most_changed_cells;
+}
 
-  [[nodiscard]] const Offspring& child() const { return child_; }
-
-  [[nodiscard]] bool has_another_body() const { return child_.phenotype.body != parent_phenotype_.body; }
-
-  /// Varies copies of a network until the child differs, or has another body, and is valid. @returns whether a copy was kept
-  bool vary_network(std::size_t network, bool must_have_another_body, RandomStream& random) {
-    const Cppn original = child_.genome.networks[network];
-    const Phenotype original_phenotype = child_.phenotype;
-    for (std::size_t attempt = 0; attempt < options_.largest_tries; ++attempt) {
-      ++child_.tries;
-      child_.genome.networks[network] = original;
-      vary(child_.genome.networks[network], options_.variation, random);
-      decode_network(child_.genome, network, options_.decoder, child_.phenotype);
-      if ((has_another_body() || (!must_have_another_body && child_.phenotype != parent_phenotype_)) && is_near() &&
-          is_valid(child_.phenotype, options_.constraints))
-        return true;
-    }
-    child_.genome.networks[network] = original;
-    child_.phenotype = original_phenotype;
-    return false;
+/// Varies copies of a network of a child until the child is accepted. @returns whether a copy was kept
+bool vary_network(Offspring& child, std::size_t network, const OffspringOptions& options, RandomStream& random,
+                  const auto& is_accepted) {
+  const Cppn original = child.genome.networks[network];
+  const Phenotype original_phenotype = child.phenotype;
+  for (std::size_t attempt = 0; attempt < options.largest_tries; ++attempt) {
+    ++child.tries;
+    child.genome.networks[network] = original;
+    vary(child.genome.networks[network], options.variation, random);
+    decode_network(child.genome, network, options.decoder, child.phenotype);
+    if (is_accepted()) return true;
   }
-
-  /// Makes the child equal to its parent again.
-  void give_up() {
-    child_.genome = parent_;
-    child_.phenotype = parent_phenotype_;
-  }
-
- private:
-  /// Whether the child differs in no more cells than it may.
-  [[nodiscard]] bool is_near() const {
-    if (options_.most_changed_cells >= largest_array_cells) return true;
-    const std::string key = phenotype_key(child_.phenotype);
-    return std::transform_reduce(key.begin(), key.end(), parent_key_.begin(), std::size_t{0}, std::plus<>(),
-                                 std::not_equal_to<>()) <= options_.most_changed_cells;
-  }
-
-  const Genome& parent_;
-  const Phenotype& parent_phenotype_;
-  const OffspringOptions& options_;
-  const std::string parent_key_ = phenotype_key(parent_phenotype_);
-  Offspring child_;
-};
+  child.genome.networks[network] = original;
+  child.phenotype = original_phenotype;
+  return false;
+}
 
 /// Returns how many bodies were refused for each reason, as in "too small: 12, weak contact: 3".
 std::string refusals_text(const std::map<Refusal, std::size_t>& refusals) {
@@ -107,12 +82,19 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
 
 Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
                    RandomStream& random) {
-  Variation variation(parent, parent_phenotype, options);
+  Offspring child{parent, parent_phenotype, 0};
+  const auto is_allowed = [&] {
+    return is_near(child.phenotype, parent_phenotype, options.most_changed_cells) &&
+           is_valid(child.phenotype, options.constraints);
+  };
+  const auto is_another = [&] { return child.phenotype != parent_phenotype && is_allowed(); };
   for (const std::size_t network : choose_networks(parent.networks.size(), random))
-    variation.vary_network(network, false, random);
-  if (!options.mutants_may_keep_body && !variation.has_another_body() && !variation.vary_network(body_network, true, random))
-    variation.give_up();
-  return variation.child();
+    vary_network(child, network, options, random, is_another);
+
+  const auto has_another_body = [&] { return child.phenotype.body != parent_phenotype.body; };
+  if (options.mutants_may_keep_body || has_another_body()) return child;
+  const bool kept = vary_network(child, body_network, options, random, [&] { return has_another_body() && is_allowed(); });
+  return kept ? child : Offspring{parent, parent_phenotype, child.tries};
 }
 
 }  // namespace menger::evolution

@@ -26,7 +26,6 @@ Exit codes: 0 done, 2 wrong input.
 import pathlib
 import sys
 from dataclasses import dataclass, replace
-from string import ascii_lowercase
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -36,7 +35,7 @@ import numpy as np  # noqa: E402
 from sample_statistics import OUTCOMES, freeman_halton, mean, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
 from scale_invariance import LEVELS, PER_MINUTE  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
-from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
+from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa: E402
 
 
 @dataclass(frozen=True)
@@ -291,11 +290,9 @@ def draw_dimensions(panel, trials):
 
 
 def finish(figure, panels, name):
-    """Titles and letters the panels, which are pairs of axes and titles, and writes the figure."""
-    for (panel, title), letter in zip(panels, ascii_lowercase):
-        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
-        panel.grid(color="#dddddd")
-        panel.set_axisbelow(True)
+    """Titles the panels, which come with their titles, and writes the figure."""
+    letter_panels(panels)
+    for panel, _ in panels:
         if panel.get_xlabel() == "generation":
             panel.xaxis.get_major_locator().set_params(integer=True)
     settle(figure)

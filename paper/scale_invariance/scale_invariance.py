@@ -17,7 +17,6 @@ two smallest levels, as selection at two scales sees them. Exit codes: 0 done, 2
 
 import pathlib
 import sys
-from string import ascii_lowercase
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -26,7 +25,7 @@ sys.path.insert(0, str(HERE.parent))
 import numpy as np  # noqa: E402
 from sample_statistics import OUTCOMES, difference_of_shares, fisher, median, pairing_p, rank_sum, share, signed_rank, spearman, tells_apart, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, read_toml, run_script, write_table  # noqa: E402
-from svg_figure import pyplot_for_svg, settle, write_svg  # noqa: E402
+from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa: E402
 
 LEVELS = (1, 2, 3)
 CELL_EDGE_M = 0.01
@@ -428,10 +427,7 @@ def draw(every, rows, dimensions):
         draw_shares(panel, members, [f"{name},\n{row['cells']} cells (n = {row['robots']})" for name, row in zip(names, members)], range(len(members)))
         panel.legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / height), ncols=4)
     titles = [*(f"robots from 3 to 9 cells per side, {simulators[family]}" for family in clouds), *(title for _, title in shares)]
-    for panel, letter, title in zip(panels, ascii_lowercase, titles):
-        panel.set_title(f"{letter}  {title}", loc="left", fontsize=8.5, fontweight="bold")
-        panel.grid(color="#dddddd")
-        panel.set_axisbelow(True)
+    letter_panels(zip(panels, titles))
     settle(figure)
     write_svg(figure, HERE / "scale_invariance.svg")
 
