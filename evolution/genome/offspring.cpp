@@ -80,12 +80,12 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
                        "\", castable = " + (options.constraints.castable ? "true" : "false") + ")");
 }
 
-Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
-                   RandomStream& random) {
+Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options, RandomStream& random,
+                   const std::function<bool(const Phenotype&)>& is_refused) {
   Offspring child{parent, parent_phenotype, 0};
   const auto is_allowed = [&] {
     return is_near(child.phenotype, parent_phenotype, options.most_changed_cells) &&
-           is_valid(child.phenotype, options.constraints);
+           is_valid(child.phenotype, options.constraints) && !(is_refused && is_refused(child.phenotype));
   };
   const auto is_another = [&] { return child.phenotype != parent_phenotype && is_allowed(); };
   for (const std::size_t network : choose_networks(parent.networks.size(), random))

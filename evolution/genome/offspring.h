@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "evolution/genome/constraints.h"
 #include "evolution/genome/cppn_variation.h"
@@ -42,10 +43,12 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
 /// as the child's phenotype is valid and differs from the parent's, in most_changed_cells at most. If no copy is kept, the
 /// network stays as it is, so the child may equal its parent.
 ///
+/// With `is_refused`, a copy is kept only if that is false for the child's phenotype.
+///
 /// Unless mutants_may_keep_body, a child that has the body of its parent is then given another one in the same way, by variations
 /// of that network, and equals its parent if no copy is kept. So arrangements vary as often as they do else. Precondition:
 /// parent_phenotype is the phenotype of the parent.
-Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options,
-                   RandomStream& random);
+Offspring child_of(const Genome& parent, const Phenotype& parent_phenotype, const OffspringOptions& options, RandomStream& random,
+                   const std::function<bool(const Phenotype&)>& is_refused = {});
 
 }  // namespace menger::evolution

@@ -124,6 +124,7 @@ class Search {
   }
 
   std::vector<Individual> first_generation() {
+    born_.clear();
     std::vector<Individual> born;
     born.reserve(static_cast<std::size_t>(plan_.survivors));
     for (int i = 0; i < plan_.survivors; ++i) born.push_back(random_individual());
@@ -131,6 +132,7 @@ class Search {
   }
 
   std::vector<Individual> children_and_newcomers() {
+    born_.clear();
     for (Survivor& survivor : survivors_) ++survivor.member.age;
     std::vector<const Survivor*> parents;
     parents.reserve(survivors_.size());
@@ -144,7 +146,9 @@ class Search {
   }
 
   Individual child(const Survivor& parent) {
-    Offspring offspring = child_of(parent.individual.genome, parent.individual.phenotype, plan_.offspring, variation_);
+    Offspring offspring = child_of(parent.individual.genome, parent.individual.phenotype, plan_.offspring, variation_,
+                                   [this](const Phenotype& phenotype) { return is_redrawn(phenotype); });
+    born_.insert(simulated_key(offspring.phenotype));
     return {next_id_++,
             next_generation_,
             parent.member.id,
@@ -155,7 +159,17 @@ class Search {
 
   Individual random_individual() {
     Offspring offspring = random_offspring(plan_.offspring, variation_);
+    for (std::size_t tries = 1; tries < plan_.offspring.largest_tries && is_redrawn(offspring.phenotype); ++tries)
+      offspring = random_offspring(plan_.offspring, variation_);
+    born_.insert(simulated_key(offspring.phenotype));
     return {next_id_++, next_generation_, std::nullopt, 0, std::move(offspring.genome), std::move(offspring.phenotype)};
+  }
+
+  /// Returns whether a new individual with this phenotype is to be another one, as an earlier one has the same.
+  [[nodiscard]] bool is_redrawn(const Phenotype& phenotype) const {
+    if (plan_.duplicates != DuplicatePolicy::redrawn) return false;
+    const std::string key = simulated_key(phenotype);
+    return phenotypes_.contains(key) || born_.contains(key);
   }
 
   /// Returns the ids of the survivors, in order. Without niches all survive in generation 0.
@@ -211,8 +225,9 @@ class Search {
   std::optional<Screening> screening_;
   RandomStream variation_;
   RandomStream selection_;
-  std::vector<Survivor> survivors_;  ///< by rank
-  std::unordered_set<std::string> phenotypes_;
+  std::vector<Survivor> survivors_;             ///< by rank
+  std::unordered_set<std::string> phenotypes_;  ///< of generations that have begun to be evaluated
+  std::unordered_set<std::string> born_;        ///< of the one that is being made
   int next_generation_ = 0;
   std::uint64_t next_id_ = 0;
   std::size_t commits_ = 0;

@@ -14,7 +14,15 @@ std::string_view to_string(Objective objective) {
 }
 
 std::string_view to_string(DuplicatePolicy policy) {
-  return policy == DuplicatePolicy::archived_result ? "archived-result" : "culled";
+  switch (policy) {
+    case DuplicatePolicy::archived_result:
+      return "archived-result";
+    case DuplicatePolicy::culled:
+      return "culled";
+    case DuplicatePolicy::redrawn:
+      return "redrawn";
+  }
+  return "";
 }
 
 std::string_view to_string(SelectionTime time) { return time == SelectionTime::generational ? "generational" : "steady_state"; }

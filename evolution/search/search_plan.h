@@ -22,9 +22,11 @@ std::string_view to_string(Objective objective);  ///< "body-lengths" or "square
 /// What happens to a new individual that has the phenotype of an earlier one.
 enum class DuplicatePolicy {
   archived_result,  ///< it gets the known results and takes part in selection
-  culled            ///< it has no fitness
+  culled,           ///< it has no fitness
+  redrawn  ///< it is varied, or drawn, until its phenotype is new; it gets the known results if OffspringOptions::largest_tries
+           ///< do not suffice
 };
-std::string_view to_string(DuplicatePolicy policy);  ///< "archived-result" or "culled"
+std::string_view to_string(DuplicatePolicy policy);  ///< "archived-result", "culled" or "redrawn"
 
 /// When survivors are selected.
 enum class SelectionTime {

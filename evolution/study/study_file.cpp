@@ -202,8 +202,12 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
   visitor.boolean({"stand", "Whether bodies stand on the ground from the start."}, plan.stand);
   visitor.word({"objective", "How a displacement becomes a fitness."}, plan.objective,
                io::words_of(Objective::body_lengths, Objective::squared_metres_per_scale));
-  visitor.word({"duplicates", "What happens to a new individual with the body of an earlier one."}, plan.duplicates,
-               io::words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled));
+  visitor.word(
+      {"duplicates",
+       "What happens to a new individual with the body of an earlier one. archived-result: it has its result; culled: it has "
+       "no fitness; redrawn: it is varied, or drawn, until it has a body that none had before, and has the earlier result if "
+       "genome.largest_tries do not suffice. Not redrawn with population.selection = \"steady_state\"."},
+      plan.duplicates, io::words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled, DuplicatePolicy::redrawn));
   visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }
 
@@ -400,6 +404,7 @@ void settle_steady_state(const io::TomlTable& table, Study& study) {
   refuse_with(plan.step_checks.has_value(), "[check_dt]");
   refuse_with(study.model == EvaluationModel::both, "evaluation.model = \"both\"");
   refuse_with(plan.screening.has_value(), "evaluation.shorter_walks = true");
+  refuse_with(plan.duplicates == DuplicatePolicy::redrawn, "evaluation.duplicates = \"redrawn\"");
   refuse_with(plan.mutants == 0 && plan.newcomers == 0, "population.mutants = 0 and newcomers = 0: no robot would be born");
   const io::TomlTable evaluation = table.table_or_empty("evaluation");
   if (evaluation.has("pruning") && plan.pruning)

@@ -90,6 +90,30 @@ TEST(Offspring, AParentIsCopiedWhenEveryTryFails) {
   EXPECT_EQ(child.phenotype, parent.phenotype);
 }
 
+TEST(Offspring, AChildIsNoneThatIsRefusedWhileThereAreOthers) {
+  for (const BodyPlan plan : {BodyPlan::fractal, BodyPlan::nonfractal_two_scales}) {
+    RandomStream random(12, "refused");
+    const OffspringOptions options = released_options(plan);
+    Offspring parent = random_offspring(options, random);
+    while (parent.phenotype.body.count() > 18) parent = random_offspring(options, random);  // a full cube has few others near it
+    std::set<std::string> had;
+    const auto is_refused = [&](const Phenotype& phenotype) { return had.contains(phenotype_key(phenotype)); };
+    for (int sample = 0; sample < 50; ++sample) {
+      const Offspring child = child_of(parent.genome, parent.phenotype, options, random, is_refused);
+      EXPECT_EQ(decode(child.genome, options.decoder), child.phenotype);
+      if (child.phenotype == parent.phenotype) {
+        EXPECT_GE(child.tries, options.largest_tries) << "one step leads to no other body";
+      } else {
+        EXPECT_TRUE(had.insert(phenotype_key(child.phenotype)).second);
+      }
+    }
+    EXPECT_GT(had.size(), 10U);
+    const Offspring none = child_of(parent.genome, parent.phenotype, options, random, [](const Phenotype&) { return true; });
+    EXPECT_EQ(none.genome, parent.genome);
+    EXPECT_EQ(none.phenotype, parent.phenotype);
+  }
+}
+
 TEST(Offspring, EachOfThreeNetworksIsChosenWithOneThirdAndAtLeastOneIs) {
   RandomStream random(6, "choice");
   const OffspringOptions options = released_options(BodyPlan::nonfractal);

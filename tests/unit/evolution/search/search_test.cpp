@@ -279,6 +279,37 @@ TEST_F(SearchRun, DuplicatesTakeTheArchivedResultOrAreCulled) {
   }
 }
 
+SearchPlan redrawn_plan() {
+  SearchPlan plan = small_plan();
+  plan.duplicates = DuplicatePolicy::redrawn;
+  return plan;
+}
+
+TEST_F(SearchRun, DuplicatesAreRedrawnWhileThereAreOthers) {
+  SearchPlan plan = redrawn_plan();
+  plan.generations = 15;
+  const RunArchive archive = searched(plan);
+  EXPECT_TRUE(duplicates_in(archive).empty());
+  plan.duplicates = DuplicatePolicy::archived_result;
+  EXPECT_FALSE(duplicates_in(searched(plan, "not redrawn")).empty()) << "nothing is tested";
+}
+
+TEST_F(SearchRun, ADuplicateThatNoTryChangedTakesTheArchivedResult) {
+  SearchPlan plan = redrawn_plan();
+  plan.generations = 15;
+  plan.pruning = false;
+  plan.offspring.largest_tries = 1;
+  const auto duplicates = duplicates_in(searched(plan));
+  ASSERT_FALSE(duplicates.empty());
+  for (const auto& [individual, member] : duplicates)
+    EXPECT_TRUE(member.knowledge == Knowledge::evaluated || member.knowledge == Knowledge::failed);
+}
+
+TEST_F(SearchRun, RedrawnDuplicatesAreTheSameForAnyThreadsAndStops) {
+  expect_the_same_for_any_threads(redrawn_plan());
+  expect_the_same_after_stops(redrawn_plan(), {.stride = 7, .threads = 2});
+}
+
 TEST_F(SearchRun, ADesignAndItsLiftedTwinShareAnEvaluationWhereBodiesStand) {
   SearchPlan plan = small_plan();
   Individual low;

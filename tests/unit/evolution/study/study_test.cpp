@@ -400,6 +400,7 @@ TEST_F(StudyFile, RefusesWithASteadyStateWhatWaitsForOthers) {
   const std::string given = "study.toml: population.selection = \"steady_state\": cannot be combined with ";
   expect_refused(head + "[map_elites]\n", {given + "[map_elites]"});
   expect_refused(head + "[check_dt]\n", {given + "[check_dt]"});
+  expect_refused(head + "[evaluation]\nduplicates = \"redrawn\"\n", {given + "evaluation.duplicates = \"redrawn\""});
   expect_refused(head + "mutants = 0\nnewcomers = 0\n", {given + "population.mutants = 0 and newcomers = 0"});
   expect_refused(head + "[evaluation]\npruning = true\n",
                  {"study.toml:5", "evaluation.pruning = true", "must be false", "population.selection = \"steady_state\""});
