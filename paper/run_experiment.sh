@@ -44,7 +44,7 @@ read_experiment() {
 list() {
   local name
   echo "Experiments and their parts, with rough costs on two idle cores of a Xeon."
-  echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, phase_wave, single_actuator and scale_invariance N generations:"
+  echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, heredity, phase_wave, single_actuator and scale_invariance N generations:"
   for name in $(experiments); do
     printf '%s: %s\n' "$name" "$(sed -n '1s/^# //p' "paper/$name/experiment.sh")"
     (

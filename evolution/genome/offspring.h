@@ -43,7 +43,8 @@ Offspring random_offspring(const OffspringOptions& options, RandomStream& random
 /// as the child's phenotype is valid and differs from the parent's, in most_changed_cells at most. If no copy is kept, the
 /// network stays as it is, so the child may equal its parent.
 ///
-/// With `is_refused`, a copy is kept only if that is false for the child's phenotype.
+/// With `is_refused`, a copy is kept only if that is false for the child's phenotype, as it is then: before the next network
+/// varies.
 ///
 /// Unless mutants_may_keep_body, a child that has the body of its parent is then given another one in the same way, by variations
 /// of that network, and equals its parent if no copy is kept. So arrangements vary as often as they do else. Precondition:

@@ -19,7 +19,7 @@ enum class Objective {
 };
 std::string_view to_string(Objective objective);  ///< "body-lengths" or "squared-metres-per-scale"
 
-/// What happens to a new individual that has the phenotype of an earlier one.
+/// What happens to a new individual that has the phenotype of an earlier one. One that screening left out is no earlier one.
 enum class DuplicatePolicy {
   archived_result,  ///< it gets the known results and takes part in selection
   culled,           ///< it has no fitness

@@ -12,10 +12,15 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "single_cells_$seed" "2 min of two cores" "40 generations in which a mutant differs from its parent in one cell at most"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
+  part "new_mutants_$seed" "5 min of two cores" "40 generations in which no robot comes twice"
+done
+for seed in 1 2 3 4 5 6 7 8 9 10; do
   part "random_search_$seed" "9 min of two cores" "as many robots as two_scales_$seed asks for, but 14, all drawn at random"
 done
+for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+  part_on_request "again_$seed" "4 min of two cores" "60 generations of other seeds, which repeat the comparison with those of non_fractal"
+done
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
-part_on_request heredity "1 min" "how much of a parent's speed its mutants keep, of the trials here and of non_fractal whose archives are there"
 part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "4 days of two cores" "ten such trials, seeds 1 to 10: the paper's experiment"
@@ -33,28 +38,17 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
   eval "two_scales_$seed() { search two_scales $seed; }"
   eval "in_pieces_$seed() { search two_scales_in_pieces $seed; }"
   eval "single_cells_$seed() { search single_cells $seed; }"
+  eval "new_mutants_$seed() { search new_mutants $seed; }"
   eval "balanced_$seed() { search two_scales_balanced $seed; }"
   # Another seed than that of a trial: with the same one, the robots of its first generation would be among those that are drawn.
   eval "random_search_$seed() { search random_search $((2000 + seed)); }"
 done
 
+for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+  eval "again_$seed() { search again $((10 + seed)); }"
+done
+
 # shellcheck disable=SC2154  # $study is that of run_experiment.sh
 statistics() { "$study/trials.py"; }
-
-# The robots of a trial: arm, seed, archive.
-# shellcheck disable=SC2154  # $results is that of run_experiment.sh
-individuals_of() {
-  menger export "$3" --output "$results/individuals/$1-$2" --individuals --levels 1 --no-frames --no-pictures
-}
-
-# Of the kinds of trials whose archives are there.
-heredity() {
-  rm -rf "$results/individuals"
-  each_archive "$results/two_scales_" .sqlite "fractal two_scales_1" individuals_of fractal || true
-  each_archive "$results/single_cells_" .sqlite "fractal single_cells_1" individuals_of single_cells || true
-  each_archive "$results/two_scales_balanced_" .sqlite "fractal balanced_1" individuals_of balanced || true
-  each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control || true
-  "$study/heredity.py" "$results/individuals"
-}
 
 small() { search small; }

@@ -3,18 +3,19 @@
 equal_evaluations.csv, trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
-             two_scales_balanced/SEED.csv, single_cells/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and random_search/SEED.csv and
-             three_scales/SEED.csv in both folders
+             two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
+             again/SEED.csv, random_search/SEED.csv and three_scales/SEED.csv in both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on stand
 once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared at the
 last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum
 test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their test had been
 looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
-comparison, and of dimensions. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
+comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds: fifteen of each kind, of 60 generations,
+are tested once. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
 test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
-compared with trials of random search, which draw as many robots, and with trials whose mutants differ in one cell at most and so inherit
-more. The control is compared with random search among its own robots, and with trials in which every mutant has another body, as mutants of
+compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
+more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in which every mutant has another body, as mutants of
 fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
@@ -48,11 +49,15 @@ class Arm:
     dashes: str | tuple
     mark: str
     is_fractal: bool = True  # robots of the control are none, and have no dimension
-    is_variant: bool = False  # of the paper's experiment or its control: one thing is changed
+    is_variant: bool = False  # of the paper's experiment or its control: something is changed, if only the seeds
+    planned: tuple[int, int] | None = None  # trials and generations that were planned, of arms that are tested with these, once
+
+    def is_as_planned(self, trials, generation):
+        return self.planned in (None, (len(trials), generation))
 
     def longer(self):
         dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1)), (0, (4, 1)): (0, (4, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
-        return replace(self, label=f"{self.label}, longer", dashes=dashes, mark={"o": "x", "s": "+"}.get(self.mark, "*"))
+        return replace(self, planned=None, label=f"{self.label}, longer", dashes=dashes, mark={"o": "x", "s": "+"}.get(self.mark, "*"))
 
 
 NON_FRACTAL = HERE.parent / "non_fractal"
@@ -60,17 +65,21 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", is_variant=True),
         "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P", is_variant=True),
         "single_cells": Arm(HERE / "single_cells", "single cells mutate", "#661100", (0, (2, 1, 6, 1)), "h", is_variant=True),
+        "new_mutants": Arm(HERE / "new_mutants", "fractal, none twice", "#117733", (0, (1, 1, 5, 1)), "*", is_variant=True),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False, is_variant=True),
         "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", (0, (6, 1, 1, 1)), "d", is_fractal=False, is_variant=True),
+        "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", (0, (7, 1)), "<", is_variant=True, planned=(15, 60)),
+        "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", (0, (7, 1, 1, 1)), ">", is_fractal=False, is_variant=True, planned=(15, 60)),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
-COMPARISONS = (("fractal", "non_fractal"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
+COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("single_cells", "fractal"), ("single_cells", "random_search"),
+               ("new_mutants", "fractal"), ("new_mutants", "random_search"), ("new_mutants", "non_fractal"),
                ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
                ("non_fractal", "non_fractal_body_mutants"), ("fractal", "non_fractal_body_mutants"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
@@ -125,14 +134,14 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
-def looks(generation):
-    """How often a test was looked at until a generation, whose trials then went on."""
-    return max(1, -(-generation // STRIDE))
+def looks(generation, *names):
+    """How often a test of these arms was looked at until a generation, whose trials then went on."""
+    return 1 if names and all(DRAWN[name].planned for name in names) else max(1, -(-generation // STRIDE))
 
 
-def times_looks(p, generation):
+def times_looks(p, looked):
     """Bonferroni's correction for looks at a test; None where there is no p."""
-    return None if p is None else min(1.0, looks(generation) * p)
+    return None if p is None else min(1.0, looked * p)
 
 
 def dimensions_of(arm, trials):
@@ -148,7 +157,7 @@ def dimensions_of(arm, trials):
         found = share(count, len(ends))
         row |= {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high}
     p = freeman_halton(counts, PAPER_DIMENSIONS)
-    p_looks = times_looks(p, len(trials[0].best) - 1)
+    p_looks = times_looks(p, looks(len(trials[0].best) - 1, arm))
     return row | {"dimension_p_paper": p, "dimension_p_looks": p_looks, "dimension_outcome": "differs" if tells_apart(p_looks) else "open"}
 
 
@@ -165,7 +174,7 @@ def statistics(arms):
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1} | first.cells("first") | last.cells("last") | gain.cells("gain")
                     | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                        "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
-                    | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1), "p_scales": signed_rank(smaller, larger),
+                    | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1, arm), "p_scales": signed_rank(smaller, larger),
                        "p_scales_rank_sum": rank_sum(smaller, larger),
                        # Of the best robots of all generations of all trials
                        "largest_is_slowest_generations": int(sum(slowest)), "all_generations": sum(len(trial.best) for trial in trials)} | dimensions_of(arm, trials))
@@ -187,18 +196,22 @@ def comparison(names, one, other, generation):
     """Of the best robots at a generation."""
     ends = [[trial.best[generation] for trial in trials] for trials in (one, other)]
     test, p, larger = tested(one, other, ends)
-    p_looks = times_looks(p, generation)
+    looked = looks(generation, *names)
+    p_looks = times_looks(p, looked)
     return {"arms": " and ".join(names), "trials": len(one), "other_trials": len(other), "generations": generation,
-            "test": test, "p": p, "looks": looks(generation), "p_looks": p_looks} | larger.cells("larger") | {
+            "test": test, "p": p, "looks": looked, "p_looks": p_looks} | larger.cells("larger") | {
             "larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p_looks) else "open"], "medians_ratio": medians_ratio(ends)}
 
 
 def compared(arms):
-    """Which arms are compared: their names, their trials, and the last generation that both have."""
+    """Which arms are compared: their names, their trials, and the last generation that both have. Those that were planned are compared when
+    they are complete."""
     for names in COMPARISONS:
         if set(names) <= set(arms):
             one, other = (arms[name] for name in names)
-            yield names, one, other, min(len(trials[0].best) for trials in (one, other)) - 1
+            last = min(len(trials[0].best) for trials in (one, other)) - 1
+            if all(DRAWN[name].is_as_planned(arms[name], last) for name in names):
+                yield names, one, other, last
 
 
 def comparisons(arms):
@@ -206,8 +219,8 @@ def comparisons(arms):
 
 
 def on_the_way(arms):
-    """The same at every twentieth generation before the last one."""
-    rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE)]
+    """The same at every twentieth generation before the last one, of arms that were looked at there."""
+    rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE) if looks(last, *names) > 1]
     return [{"arms": row["arms"], "generations": row["generations"]} | row for row in rows]
 
 
@@ -215,7 +228,7 @@ def at_equal_evaluations(arms):
     """The best robots after as many walks: as many as the trial of both arms that has the fewest at the last generation that both have."""
     rows = []
     for names, one, other, last in compared(arms):
-        if any(trial.evaluations is None for trial in one + other):
+        if any(trial.evaluations is None for trial in one + other) or all(DRAWN[name].planned for name in names):
             continue
         evaluations = min(trial.evaluations[last] for trial in one + other)
         reached = [[trial.best_after(evaluations) for trial in trials] for trials in (one, other)]
@@ -226,11 +239,12 @@ def at_equal_evaluations(arms):
     return rows
 
 
-def draw_mean(panel, curves, colour, dashes, label):
-    """The mean of curves with its 95 % interval, which one curve has not, at the generations that all of them have."""
+def draw_mean(panel, curves, colour, dashes, label, places=None):
+    """The mean of curves with its 95 % interval, which one curve has not, at the places that all of them have; or else at their generations."""
     curves = np.array(curves)
-    generations = np.flatnonzero(~np.isnan(curves).any(axis=0))
-    curves = curves[:, generations]
+    there = np.flatnonzero(~np.isnan(curves).any(axis=0))
+    generations = there if places is None else places[there]
+    curves = curves[:, there]
     panel.plot(generations, curves.mean(axis=0), linestyle=dashes, color=colour, label=label)
     if len(curves) > 1:
         spans = [mean(column) for column in curves.T]

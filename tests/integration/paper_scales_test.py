@@ -1,4 +1,4 @@
-"""Tests the scripts of paper/discrepancies, paper/scale_invariance and paper/fractal/trials.py on robots that are made up, so that what
+"""Tests the scripts of paper/discrepancies, paper/scale_invariance, paper/heredity and paper/fractal/trials.py on robots that are made up, so that what
 they must find is known.
 
 paper_scales_test.py SOURCES: the folder of the sources. Exit code 77: there is no SciPy or matplotlib.
@@ -92,7 +92,7 @@ class Case(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.tree = pathlib.Path(folder.name)
         for name in ("presets/paper.toml", "presets/released-code.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/bodies.py", "discrepancies/population.toml",
-                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "fractal/heredity.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml", "fractal/single_precision.toml",
+                     "discrepancies/variants.toml", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "heredity/heredity.py", "heredity/made_up.py", "heredity/chance.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml", "fractal/single_precision.toml",
                      "scale_invariance/one_scale.toml", "phase_wave/two_scales.toml"):
             place = self.tree / "paper" / name
             place.parent.mkdir(parents=True, exist_ok=True)
@@ -898,7 +898,23 @@ class Trials(Case):
             self.assertAlmostEqual(float(drawn["p_looks"]), int(looks) * 2 / 84, delta=1e-4)
         script = module_of("paper/fractal/trials.py")
         self.assertEqual([script.looks(generation) for generation in (0, 20, 21, 140)], [1, 1, 2, 7])
-        self.assertEqual((script.times_looks(None, 40), script.times_looks(0.6, 40)), (None, 1.0))
+        self.assertEqual((script.times_looks(None, 2), script.times_looks(0.6, 2)), (None, 1.0))
+
+    def test_what_was_planned_is_tested_once(self):
+        for folder, seeds, speed in (("fractal", range(11, 26), 0.01), ("non_fractal", range(1016, 1031), 0.02)):
+            for seed in seeds:
+                if seed == 1030:
+                    self.done(self.script)
+                    self.assertFalse((self.tree / "paper/fractal/comparisons.csv").exists(), "what was planned is not complete")
+                write(self.tree / f"paper/{folder}/again/{seed}.csv", self.columns, [[n, (speed + 1e-5 * seed) * n, 9, 2, speed * n, speed * n] for n in range(61)])
+        self.done(self.script)
+        (row,) = table_of(self.tree / "paper/fractal/comparisons.csv")
+        self.assertEqual((row["arms"], row["generations"], row["p"], row["looks"], row["p_looks"]), ("fractal_again and non_fractal_again", "60", row["p_looks"], "1", f"{2 / math.comb(30, 15):.4g}"))
+        for name in ("on_the_way", "equal_evaluations"):
+            self.assertFalse((self.tree / f"paper/fractal/{name}.csv").exists(), "another test of the same trials")
+        self.assertEqual({row["looks"] for row in table_of(self.tree / "paper/fractal/statistics.csv")}, {"1"})
+        script = module_of("paper/fractal/trials.py")
+        self.assertEqual([script.looks(60, *names) for names in (["fractal_again"], ["fractal", "fractal_again"], ["fractal"], ["fractal_again_longer"])], [1, 3, 3, 3])
 
     def test_variants_of_a_search_differ_from_it_in_one_thing(self):
         evolution, drawn = (tomllib.loads((SOURCES / f"paper/fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))
@@ -909,15 +925,31 @@ class Trials(Case):
         for study in (control, drawn):
             del study["seed"], study["generations"]
         self.assertEqual(drawn, control)
+        for folder, plain in (("fractal", evolution), ("non_fractal", control)):
+            again = tomllib.loads((SOURCES / f"paper/{folder}/again.toml").read_text())
+            self.assertEqual(again | {"generations": None, "seed": None}, plain | {"generations": None, "seed": None})
         cells = tomllib.loads((SOURCES / "paper/fractal/single_cells.toml").read_text())
         self.assertEqual(cells.pop("genome"), {"most_changed_cells": 1})
         self.assertEqual(cells | {"generations": evolution["generations"]}, evolution)
+        new = tomllib.loads((SOURCES / "paper/fractal/new_mutants.toml").read_text())
+        self.assertEqual(new.pop("evaluation"), {"duplicates": "redrawn"})
+        self.assertEqual(new | {"generations": evolution["generations"]}, evolution)
         mutants = tomllib.loads((SOURCES / "paper/non_fractal/body_mutants.toml").read_text())
         self.assertIs(mutants["genome"].pop("mutants_may_keep_body"), False)
         del mutants["seed"], mutants["generations"]
         self.assertEqual(mutants, control)
         population = options_of("paper")
         self.assertEqual(population["population.mutants"] + population["population.newcomers"], 16, "as many robots are asked for in a generation")
+
+    def test_refuses_a_trial_without_generations(self):
+        write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])
+        self.refused("fractal/two_scales/1.csv: has no generation", self.script)
+
+
+class Heredity(Case):
+    def individuals(self, trial, columns, rows):
+        """What menger export writes of a search, of which generation 0 has no parents and all others are of generation 1."""
+        write(self.tree / "found" / trial / "individuals.csv", ["generation", *columns, "fitness_body_lengths"], [[int(row[1] != ""), *row, 1.0] for row in rows])
 
     def test_tells_how_much_speed_mutants_keep(self):
         # Twelve parents that go 1 to 12 body lengths at both scales, with a mutant of two cells each. At 3 cells every other one goes twice as
@@ -929,9 +961,9 @@ class Trials(Case):
         for seed in (1, 2):
             rows = [[n, "", "111" + "0" * 24, 0.03 * way, 0, 0.09 * way, 0] for n, way in enumerate(ways)]
             rows += [[20 + n, n, "11121" + "0" * 22, 0.03 * small[n], 0, *(("", "") if large[seed][n] is None else (0.09 * large[seed][n], 0))] for n in range(12)]
-            write(self.tree / f"found/fractal-{seed}/individuals.csv", columns, rows)
-        self.done("fractal/heredity.py", self.tree / "found")
-        at_3, at_9 = table_of(self.tree / "paper/fractal/heredity.csv")
+            self.individuals(f"fractal-{seed}", columns, rows)
+        self.done("heredity/heredity.py", self.tree / "found")
+        at_3, at_9 = table_of(self.tree / "paper/heredity/heredity.csv")
         self.assertEqual([at_3[name] for name in ("arm", "cells_per_side", "cells_changed", "trials", "mutants", "keep_half", "faster")],
                          ["fractal", "3", "2", "2", "24", "0.5", "0.5"])
         self.assertAlmostEqual(float(at_3["spearman"]), spearman_of(ways, small), delta=1e-3)
@@ -940,10 +972,10 @@ class Trials(Case):
                          ["9", "1", "12", "-1", f"{kept / 12:.4g}", "0.5"])
         # 15 body lengths a minute are 1.25 in 5 s. Of parents eleven go as fast. Mutants of the first trial: the six that walked at 9.
         of_second = sum(min(one, other) >= 1.25 for one, other in zip(small, ways[::-1])) / 12
-        mutants, drawn = table_of(self.tree / "paper/fractal/mutants.csv")
+        mutants, drawn = table_of(self.tree / "paper/heredity/mutants.csv")
         self.assertEqual((mutants["kind"], mutants["robots"], float(mutants["fast"])), ("mutants", "24", float(f"{(6 / 12 + of_second) / 2:.4g}")))
         self.assertEqual((drawn["kind"], drawn["robots"], float(drawn["fast"])), ("drawn at random", "24", float(f"{11 / 12:.4g}")))
-        self.refused("has no ARM-SEED/individuals.csv", "fractal/heredity.py", self.tree)
+        self.refused("has no ARM-SEED/individuals.csv", "heredity/heredity.py", self.tree)
 
     def test_mutants_of_the_control_change_the_body_or_its_arrangement(self):
         columns = ["individual", "parent", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2) for axis in "xy"]
@@ -952,24 +984,144 @@ class Trials(Case):
                 [1, 0, f"{body_of}|111{arranged[3:]}", 0.06, 0, 0.135, 0],  # another arrangement, fitter
                 [2, 0, f"{body_of}|101{arranged[3:]}", 0.06, 0, "", ""],  # another one, not needed at 9 cells
                 [3, 0, f"1111{body_of[4:]}|{arranged}", 0.015, 0, 0.18, 0]]  # another body, slower at 3
-        write(self.tree / "found/control-1001/individuals.csv", columns, rows)
-        write(self.tree / "found/fractal-1/individuals.csv", columns, [[0, "", body_of, 0.06, 0, 0.09, 0]]
-              + [[n, 0, "1111" + "0" * 23, 0.03 * n, 0, 0.135, 0] for n in range(1, 13)])
-        self.done("fractal/heredity.py", self.tree / "found")
-        rows = {(row["arm"], row["kind"]): row for row in table_of(self.tree / "paper/fractal/mutants.csv")}
+        self.individuals("control-1001", columns, rows)
+        self.individuals("fractal-1", columns, [[0, "", body_of, 0.06, 0, 0.09, 0]]
+                         + [[n, 0, "1111" + "0" * 23, 0.03 * n, 0, 0.135, 0] for n in range(1, 13)])
+        self.done("heredity/heredity.py", self.tree / "found")
+        rows = {(row["arm"], row["kind"]): row for row in table_of(self.tree / "paper/heredity/mutants.csv")}
         self.assertEqual({key: (row["robots"], row["fitter"], row["fast"]) for key, row in rows.items() if key[0] == "control"},
                          {("control", "mutants of the body"): ("1", "0", "0"), ("control", "mutants of its arrangement alone"): ("2", "0.5", "0.5"),
                           ("control", "drawn at random"): ("1", "", "0")})
         self.assertEqual(rows["fractal", "mutants"]["fitter"], f"{11 / 12:.4g}", "all but the one that goes as fast")
-        self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/fractal/heredity.csv")}, {"fractal"})
-        before = [(self.tree / f"paper/fractal/{name}.csv").read_text() for name in ("heredity", "mutants")]
+        self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/heredity/heredity.csv")}, {"fractal"})
+        before = [(self.tree / f"paper/heredity/{name}.csv").read_text() for name in ("heredity", "inherited", "mutants", "repeats")]
         shutil.rmtree(self.tree / "found/control-1001")
-        self.done("fractal/heredity.py", self.tree / "found")
-        self.assertEqual([(self.tree / f"paper/fractal/{name}.csv").read_text() for name in ("heredity", "mutants")], before, "who is not there keeps its rows")
+        self.done("heredity/heredity.py", self.tree / "found")
+        self.assertEqual([(self.tree / f"paper/heredity/{name}.csv").read_text() for name in ("heredity", "inherited", "mutants", "repeats")], before, "who is not there keeps its rows")
 
-    def test_refuses_a_trial_without_generations(self):
-        write(self.tree / "paper/fractal/two_scales/1.csv", self.columns, [])
-        self.refused("fractal/two_scales/1.csv: has no generation", self.script)
+    def test_tells_what_all_mutants_inherit_of_whom_both_scales_do_not_walk(self):
+        # Searches at 9 cells alone: mutants of one cell keep their speed, those of two go the other way round; one equals its parent and does not count.
+        columns = ["individual", "parent", "phenotype", "level_2_dx_m", "level_2_dy_m"]
+        ways = [n + 1.0 for n in range(12)]
+        rows = [[n, "", "111" + "0" * 24, 0.09 * way, 0] for n, way in enumerate(ways)]
+        rows += [[20 + n, n, "1111" + "0" * 23, 0.09 * way, 0] for n, way in enumerate(ways)]
+        rows += [[40 + n, n, "11111" + "0" * 22, 0.09 * (13.0 - way), 0] for n, way in enumerate(ways)]
+        self.individuals("nine_cells-1", columns, rows + [[60, 0, "111" + "0" * 24, 0.09, 0]])
+        self.done("heredity/heredity.py", self.tree / "found")
+        (row,) = table_of(self.tree / "paper/heredity/inherited.csv")
+        self.assertEqual([row[name] for name in ("arm", "cells_per_side", "trials", "mutants", "faster")], ["nine_cells", "9", "1", "24", "0.25"])
+        self.assertAlmostEqual(float(row["spearman"]), spearman_of(ways * 2, ways + ways[::-1]), delta=1e-4)
+        self.assertFalse((self.tree / "paper/heredity/heredity.csv").exists(), "steps are told apart in trials at two scales")
+
+    def test_tells_how_often_mutants_are_robots_that_were_there(self):
+        columns = ["generation", "individual", "parent", "phenotype", "fitness_body_lengths"]
+        shapes = [f"111{number}" + "0" * 23 for number in (0, 1, 2)] + ["1111" + "1" * 23]
+        rows = [[0, 0, "", shapes[0], 1.0], [0, 1, "", shapes[1], 2.0],
+                [1, 2, 0, shapes[2], ""], [1, 3, 1, shapes[0], 1.0],  # the best robot is 1: its mutant was there
+                [1, 4, "", shapes[3], 3.0],  # no mutant, and the best one from the next generation on
+                [2, 5, 1, shapes[2], ""], [2, 6, 4, "111" + "0" * 22 + "11", 0.5], [2, 7, 4, "111" + "0" * 21 + "111", 9.0],
+                [2, 8, 7, shapes[0], 1.0],  # 7 is of the same generation: not the best one before it
+                [2, 9, "", "111" + "0" * 21 + "111", 9.0],  # the same robot as 7
+                [3, 10, 9, shapes[1], 1.0], [3, 11, 7, "1" * 26 + "2", 1.0]]  # both are the best one
+        write(self.tree / "found/in_pieces-1/individuals.csv", columns, rows)
+        self.done("heredity/heredity.py", self.tree / "found")
+        (row,) = table_of(self.tree / "paper/heredity/repeats.csv")
+        self.assertEqual([row[name] for name in ("arm", "trials", "mutants")], ["in_pieces", "1", "8"])
+        self.assertEqual([float(row[name]) for name in ("repeats", "repeats_of_best")], [0.5, 0.4])
+
+    def test_selection_of_made_up_robots_is_that_of_searches(self):
+        script = module_of("paper/heredity/made_up.py")
+        array = script.np.array
+        # Those of tests/unit/evolution/search/age_fitness_pareto_test.cpp
+        self.assertEqual(list(script.levels_of(array([3.0, 2.0, 2.0, 1.0]), array([2, 1, 2, 3]), array([1, 2, 3, 4]))), [0, 0, 2, 3])
+        self.assertEqual(list(script.levels_of(array([2.0, 2.0]), array([3, 3]), array([1, 2]))), [1, 0], "of equals the newer dominates")
+        pool = (array([1.0, 2.0, 0.5, 0.25]), array([0, 1, 2, 3]), array([1, 2, 3, 4]))
+        self.assertEqual(list(script.survivors_of(*pool, 3, None)), [1, 0, 2], "whole levels need no draw")
+
+        class Drawn:
+            """The index floor(6^u) for each u."""
+
+            def __init__(self, *indices):
+                self.indices = iter(indices)
+
+            def random(self):
+                return math.log(next(self.indices) + 0.5) / math.log(6)
+
+        ages = array([1, 2, 3, 4, 5, 6])  # none of six dominates another; the fittest is the last
+        self.assertEqual(list(script.survivors_of(ages.astype(float), ages, ages, 3, Drawn(4, 4, 2))), [5, 1, 3])
+
+    def test_made_up_mutants_inherit_what_they_are_to(self):
+        script = module_of("paper/heredity/made_up.py")
+        random = script.np.random.default_rng(5)
+        parents = script.Robots([0.3, 0.8]).draw(20000, random)
+        children = script.Robots([0.3, 0.8]).mutants(parents, random)
+        # A correlation of n pairs has a standard error of 1 / sqrt(n), here 0.007.
+        correlations = script.np.corrcoef(parents.T, children.T)
+        for (row, column), expected in {(0, 1): script.SCALES_CORRELATION, (2, 3): script.SCALES_CORRELATION * (0.3 * 0.8 + math.sqrt((1 - 0.09) * (1 - 0.64))), (0, 2): 0.3, (1, 3): 0.8}.items():
+            self.assertAlmostEqual(correlations[row, column], expected, delta=0.03)
+        alone = script.Robots([0.3, 0.8], script.SECOND_ALONE).mutants(parents, random)
+        self.assertAlmostEqual(float(script.np.mean(alone[:, 0] == parents[:, 0])), script.SECOND_ALONE, delta=0.015)
+        self.assertFalse((alone[:, 1] == parents[:, 1]).any())
+        # The correlation of the speeds of random robots, as the docstring says, and the share of the control's mutants
+        walks = table_of(SOURCES / "paper/discrepancies/walks/text.csv")
+        speeds = [[math.hypot(float(row[f"level_{level}_dx_m"]), float(row[f"level_{level}_dy_m"])) for row in walks] for level in (1, 2)]
+        spearman = spearman_of(*speeds)
+        self.assertAlmostEqual(2.0 * math.sin(math.pi / 6.0 * spearman), script.SCALES_CORRELATION, delta=0.005)  # Pearson's of normal ones with the same ranks
+        robots = {row["kind"]: int(row["robots"]) for row in table_of(SOURCES / "paper/heredity/mutants.csv") if row["arm"] == "control"}
+        alone, of_body = robots["mutants of its arrangement alone"], robots["mutants of the body"]
+        self.assertAlmostEqual(alone / (alone + of_body), script.SECOND_ALONE, delta=0.005)
+
+    def test_evolution_that_inherits_nothing_is_chance(self):
+        script = module_of("paper/heredity/made_up.py")
+        self.assertAlmostEqual(float(script.ahead_of_chance(script.np.array([0.0]), 3)[0]), 0.125)
+        found = {}
+        for heredity in (0.0, 0.8):
+            searches = script.Searches(script.Robots([heredity]), 100, 10)
+            found[heredity] = script.mean(script.ahead_of_chance(searches.best[:, 10], 161)).value
+            self.assertTrue((script.np.diff(searches.best) >= 0.0).all(), "the best robot survives")
+        # All 175 robots of a search are drawn at random, as are the 161 of a random one: the best one is among the 175 in 175 of 336 cases. The
+        # share of 100 searches has a standard error of 0.29 / sqrt(100).
+        self.assertAlmostEqual(found[0.0], 175 / 336, delta=0.1)
+        self.assertGreater(found[0.8], 0.8)
+
+    def test_sets_evolution_against_chance_at_each_scale(self):
+        self.refused("has no searches yet", "heredity/chance.py")
+        columns = ["generation", "best_fitness_body_lengths", "champion_cells", "hausdorff_dimension", "level_2_displacement_body_lengths", "evaluations"]
+        for seed in range(5):
+            for folder, speed, walks in (("nine_cells", 0.2, 16), ("nine_cells_random", 0.1, 32)):
+                write(self.tree / f"paper/heredity/{folder}/{seed + 1}.csv", columns, [[n, speed * n + 0.01 * seed, 9, 2, speed * n, walks] for n in range(41)])
+        self.done("heredity/chance.py")
+        rows = table_of(self.tree / "paper/heredity/chance.csv")
+        self.assertEqual([(row["searches"], row["after"], row["larger"], row["walks"], row["spearman"], row["made_up"]) for row in rows],
+                         [("nine_cells", "20 generations", "1", "", "", ""), ("nine_cells", "40 generations", "1", "", "", ""), ("nine_cells", "as many walks", "1", "656", "", "")])
+        self.assertEqual([(row["evolved"], row["random"]) for row in rows],
+                         [(f"{12 * 4.02:.4g}", f"{12 * 2.02:.4g}"), (f"{12 * 8.02:.4g}", f"{12 * 4.02:.4g}"), (f"{12 * 8.02:.4g}", f"{12 * 1.92:.4g}")],
+                         "32 robots walk in a generation of random search: 656 are those of generations 0 to 19, and half of the next")
+        self.assertEqual([row["p"] for row in rows], ["", "", f"{2 / math.comb(10, 5):.4g}"], "one test, and no looks on the way")
+        write(self.tree / "paper/heredity/inherited.csv", ["arm", "cells_per_side", *(f"{name}{end}" for name in ("spearman", "faster") for end in ("", "_low", "_high"))],
+              [["nine_cells", 9, 0.5, 0.4, 0.6, 0.3, 0.2, 0.4]])
+        # 656 walks are 15 of the first generation, and 40.0625 generations of 16.
+        made_up = [[generation, 0.4, 0.8 + generation / 1000, 0.2] for generation in (20, 60)] + [[generation, 0.6, 0.9 + generation / 1000, 0.3] for generation in (20, 60)]
+        for made, expected in ((made_up, f"{0.85 + 0.0400625:.4g}"), (made_up[:1] + made_up[2:3], ""), (made_up[:2], "")):
+            write(self.tree / "paper/heredity/made_up.csv", ["generations", "spearman", "larger", "faster"], made)
+            self.done("heredity/chance.py")
+            rows = table_of(self.tree / "paper/heredity/chance.csv")
+            self.assertEqual([(row["spearman"], row["made_up"]) for row in rows], [("", ""), ("", ""), ("0.5", expected)], "nothing is said beyond the made-up searches")
+            self.assertEqual((rows[2]["faster"], rows[2]["made_up_faster"]), ("0.3", "0.25" if expected else ""))
+        xml.dom.minidom.parse(str(self.tree / "paper/heredity/chance.svg"))
+
+    def test_studies_differ_in_scale_and_in_evolution_alone(self):
+        def study_of(name):
+            return tomllib.loads((SOURCES / f"paper/{name}.toml").read_text()) | {"generations": None}  # as many as were run so far
+
+        both = study_of("fractal/two_scales")
+        for plain, name, levels in (("scale_invariance/one_scale", "heredity/three_cells", [1]), ("heredity/nine_cells", "heredity/nine_cells", [2])):
+            evolution, drawn, single = study_of(plain), study_of(f"{name}_random"), study_of(f"{name}_single")
+            self.assertEqual(evolution, both | {"body": {"levels": levels}})
+            self.assertEqual(drawn.pop("population"), {"survivors": 1, "mutants": 0, "newcomers": 16})
+            self.assertEqual(drawn, evolution)
+            self.assertEqual(single.pop("genome"), {"most_changed_cells": 1})
+            self.assertEqual(single, evolution)
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ import wrong_studies
 
 # Which program reads which studies. Every .toml below these folders is named here or in OTHERS.
 STUDIES = {
-    "evolve": ["paper/demo/study.toml", "paper/demo/silicone.toml", "paper/discrepancies/population.toml", "paper/fractal/*.toml", "paper/known_walks/search*.toml", "paper/non_fractal/*.toml",
+    "evolve": ["paper/demo/study.toml", "paper/demo/silicone.toml", "paper/discrepancies/population.toml", "paper/fractal/*.toml", "paper/heredity/*.toml", "paper/known_walks/search*.toml", "paper/non_fractal/*.toml",
                "paper/phase_wave/*.toml", "paper/proof/both.toml", "paper/proof/dampings.toml", "paper/proof/elements*.toml", "paper/proof/fine.toml",
                "paper/proof/two_layers.toml", "paper/proof/voxels.toml", "paper/proof/voxels_robust.toml", "paper/scale_invariance/*.toml", "paper/silicone/study.toml", "paper/single_actuator/*.toml",
                "paper/trade_off/evolve.toml", "paper/walkers/robust.toml", "paper/walkers/screened.toml",

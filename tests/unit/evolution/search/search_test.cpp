@@ -310,6 +310,16 @@ TEST_F(SearchRun, RedrawnDuplicatesAreTheSameForAnyThreadsAndStops) {
   expect_the_same_after_stops(redrawn_plan(), {.stride = 7, .threads = 2});
 }
 
+TEST_F(SearchRun, WhereBodiesStandALiftedTwinIsRedrawn) {
+  SearchPlan plan = redrawn_plan();
+  plan.stand = true;
+  plan.generations = 20;
+  const RunArchive archive = searched(plan);
+  std::set<std::string> seen;
+  for (std::uint64_t id = 0; id < archive.next_id(); ++id)
+    EXPECT_TRUE(seen.insert(phenotype_key(standing(archive.individual(id).phenotype))).second) << id;
+}
+
 TEST_F(SearchRun, ADesignAndItsLiftedTwinShareAnEvaluationWhereBodiesStand) {
   SearchPlan plan = small_plan();
   Individual low;

@@ -1,15 +1,20 @@
 #!/usr/bin/python3
-"""How much of its parent's speed a mutant keeps, by the number of cells that differ: heredity.csv and mutants.csv.
+"""How much of its parent's speed a mutant keeps, and how often it is no new robot: heredity.csv, inherited.csv, mutants.csv and repeats.csv.
 
 heredity.py FOLDER    reads FOLDER/ARM-SEED/individuals.csv, which menger export --individuals writes
 
-heredity.csv  for each arm and number of cells, means over trials with bootstrap intervals: Spearman's rank correlation of the speeds of
-              parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
-mutants.csv   for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
-              and the share of mutants that are fitter than their parents. Mutants of the control, whose larger scale evolves apart, are
-              those that change the body and those that change its arrangement alone; the control is not in heredity.csv
+heredity.csv   for each arm and number of cells that differ, means over trials with bootstrap intervals: Spearman's rank correlation of the speeds
+               of parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
+inherited.csv  the same of all mutants, however many cells differ
+mutants.csv    for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
+               and the share of mutants that are fitter than their parents. Mutants of the control, whose larger scale evolves apart, are
+               those that change the body and those that change its arrangement alone
+repeats.csv    for each arm: the share of mutants that are robots which the search had before, of all of them and of those of the best robot
+               so far
 
-The larger scale walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten such mutants count.
+Trials of the control are in the last two tables only.
+In trials at two scales the larger one walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten
+such mutants count.
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -27,9 +32,10 @@ from small_tables import InputError, cell, read_table, run_script, write_table  
 
 LEVELS = (1, 2)
 CELLS_CHANGED = ((1, 1), (2, 2), (3, 4), (5, 8), (9, 27))
+ANY = (1, 27)
 FEWEST_MUTANTS = 10  # of a trial, fewer of which have no rank correlation to speak of
 FAST_PER_MINUTE = 15.0
-ARMS = ("fractal", "single_cells", "balanced", "control")  # in the order of the tables
+ARMS = ("fractal", "in_pieces", "single_cells", "three_cells", "three_cells_single", "nine_cells", "nine_cells_single", "balanced", "new_mutants", "control", "body_mutants")  # in the order of the tables
 
 
 def speeds_of(rows, level):
@@ -52,6 +58,27 @@ class Trial:
         self.cells_changed = np.array([sum(parts) for parts in self.changed], dtype=int)
         self.speeds = {level: (speeds_of(self.parents, level), speeds_of(self.mutants, level)) for level in LEVELS}
         self.kinds = self.which_mutants()
+        self.repeats, self.repeats_of_best = self.which_repeat(rows)
+
+    @staticmethod
+    def which_repeat(rows):
+        """Whether each mutant is a robot that the search had before; the same of the mutants of the best robot of the generations before,
+        which is there more than once if mutants repeat it."""
+        phenotypes = {row["individual"]: row["phenotype"] for row in rows}
+        seen, repeats, of_best = set(), [], []
+        best = best_of_generation = (-np.inf, None)  # fitness and phenotype
+        generation = "0"
+        for row in rows:
+            if row["generation"] != generation:
+                generation, best = row["generation"], best_of_generation
+            if row["parent"]:
+                repeats.append(row["phenotype"] in seen)
+                if phenotypes[row["parent"]] == best[1]:
+                    of_best.append(repeats[-1])
+            seen.add(row["phenotype"])
+            if row["fitness_body_lengths"] and float(row["fitness_body_lengths"]) > best_of_generation[0]:
+                best_of_generation = (float(row["fitness_body_lengths"]), row["phenotype"])
+        return repeats, of_best
 
     def which_mutants(self):
         """The name of each kind of mutants, and which they are."""
@@ -70,16 +97,29 @@ class Trial:
         return int(there.sum()), rank_correlation(parents, mutants), float(np.mean(mutants >= 0.5 * parents)), float(np.mean(mutants > parents))
 
 
+def kept_speed(trials, level, cells_changed):
+    """Of the mutants of which so many cells differ: columns of a row, or nothing where there are none."""
+    found = [one for trial in trials if (one := trial.heredity(level, *cells_changed))]
+    if not found:
+        return None
+    numbers, *samples = zip(*found)
+    row = {"trials": len(found), "mutants": sum(numbers)}
+    for name, sample in zip(("spearman", "keep_half", "faster"), samples):
+        row |= mean(sample).cells(name)
+    return row
+
+
 def heredity(arm, trials):
     for level in LEVELS:
         for low, high in CELLS_CHANGED:
-            found = [one for trial in trials if (one := trial.heredity(level, low, high))]
-            if found:
-                numbers, *samples = zip(*found)
-                row = {"arm": arm, "cells_per_side": 3**level, "cells_changed": f"{low}" if low == high else f"{low} to {high}", "trials": len(found), "mutants": sum(numbers)}
-                for name, sample in zip(("spearman", "keep_half", "faster"), samples):
-                    row |= mean(sample).cells(name)
-                yield row
+            if row := kept_speed(trials, level, (low, high)):
+                yield {"arm": arm, "cells_per_side": 3**level, "cells_changed": f"{low}" if low == high else f"{low} to {high}"} | row
+
+
+def inherited(arm, trials):
+    for level in LEVELS:
+        if row := kept_speed(trials, level, ANY):
+            yield {"arm": arm, "cells_per_side": 3**level} | row
 
 
 def fast_share(fitness):
@@ -99,8 +139,17 @@ def fast_robots(arm, trials):
         ("fitter", "fitter_low", "fitter_high"))
 
 
+def repeats(arm, trials):
+    row = {"arm": arm, "trials": len(trials), "mutants": sum(len(trial.mutants) for trial in trials)}
+    for name in ("repeats", "repeats_of_best"):
+        row |= mean([float(np.mean(found)) for trial in trials if (found := getattr(trial, name))] or [np.nan]).cells(name)
+    yield row
+
+
 # The rows of each table, and the arms that it has
-TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "mutants": (fast_robots, ("fractal", "balanced", "control"))}
+OF_FRACTALS = tuple(arm for arm in ARMS if arm not in ("control", "body_mutants"))
+TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "inherited": (inherited, OF_FRACTALS),
+          "mutants": (fast_robots, ("fractal", "balanced", "control")), "repeats": (repeats, ARMS)}
 
 
 def main(arguments):
