@@ -83,6 +83,7 @@ class Search {
 
   io::RunStatus do_generation() {
     const auto start = Clock::now();
+    born_.clear();
     const std::vector<Individual> born = next_generation_ == 0 ? first_generation() : children_and_newcomers();
     ScreeningRound screened;
     if (screening_) {
@@ -124,7 +125,6 @@ class Search {
   }
 
   std::vector<Individual> first_generation() {
-    born_.clear();
     std::vector<Individual> born;
     born.reserve(static_cast<std::size_t>(plan_.survivors));
     for (int i = 0; i < plan_.survivors; ++i) born.push_back(random_individual());
@@ -132,7 +132,6 @@ class Search {
   }
 
   std::vector<Individual> children_and_newcomers() {
-    born_.clear();
     for (Survivor& survivor : survivors_) ++survivor.member.age;
     std::vector<const Survivor*> parents;
     parents.reserve(survivors_.size());
@@ -148,21 +147,19 @@ class Search {
   Individual child(const Survivor& parent) {
     Offspring offspring = child_of(parent.individual.genome, parent.individual.phenotype, plan_.offspring, variation_,
                                    [this](const Phenotype& phenotype) { return is_redrawn(phenotype); });
-    born_.insert(simulated_key(offspring.phenotype));
-    return {next_id_++,
-            next_generation_,
-            parent.member.id,
-            parent.member.age,
-            std::move(offspring.genome),
-            std::move(offspring.phenotype)};
+    return individual_from(std::move(offspring), parent.member.id, parent.member.age);
   }
 
   Individual random_individual() {
     Offspring offspring = random_offspring(plan_.offspring, variation_);
     for (std::size_t tries = 1; tries < plan_.offspring.largest_tries && is_redrawn(offspring.phenotype); ++tries)
       offspring = random_offspring(plan_.offspring, variation_);
-    born_.insert(simulated_key(offspring.phenotype));
-    return {next_id_++, next_generation_, std::nullopt, 0, std::move(offspring.genome), std::move(offspring.phenotype)};
+    return individual_from(std::move(offspring), std::nullopt, 0);
+  }
+
+  Individual individual_from(Offspring offspring, std::optional<std::uint64_t> parent, int age) {
+    if (plan_.duplicates == DuplicatePolicy::redrawn) born_.insert(simulated_key(offspring.phenotype));
+    return {next_id_++, next_generation_, parent, age, std::move(offspring.genome), std::move(offspring.phenotype)};
   }
 
   /// Returns whether a new individual with this phenotype is to be another one, as an earlier one has the same.
@@ -227,7 +224,7 @@ class Search {
   RandomStream selection_;
   std::vector<Survivor> survivors_;             ///< by rank
   std::unordered_set<std::string> phenotypes_;  ///< of generations that have begun to be evaluated
-  std::unordered_set<std::string> born_;        ///< of the one that is being made
+  std::unordered_set<std::string> born_;        ///< of the one that is being made; only where duplicates are redrawn
   int next_generation_ = 0;
   std::uint64_t next_id_ = 0;
   std::size_t commits_ = 0;

@@ -207,8 +207,7 @@ void describe_evaluation(io::StudyVisitor& visitor, Part part, Study& study) {
        "What happens to a new individual with the body of an earlier one. archived-result: it has its result; culled: it has "
        "no fitness; redrawn: it is varied, or drawn, until it has a body that none had before, and has the earlier result if "
        "genome.largest_tries do not suffice. One that the surrogate, or half of its walk, left out is no earlier one. Not "
-       "redrawn "
-       "with population.selection = \"steady_state\"."},
+       "redrawn with population.selection = \"steady_state\"."},
       plan.duplicates, io::words_of(DuplicatePolicy::archived_result, DuplicatePolicy::culled, DuplicatePolicy::redrawn));
   visitor.boolean({"pruning", "Whether evaluations that cannot change the survivors are skipped."}, plan.pruning);
 }

@@ -15,8 +15,8 @@ comparison, and of dimensions. Those of again/ repeat the comparison with the co
 are tested once. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
 test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
 compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
-more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in which every mutant has another body, as mutants of
-fractals have.
+more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in
+which every mutant has another body, as mutants of fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
 otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
@@ -134,9 +134,14 @@ def champions(arms):
             for arm, trials in arms.items() for trial in trials]
 
 
+def are_planned(names):
+    """Whether these arms are tested once, with the trials and generations that were planned."""
+    return bool(names) and all(DRAWN[name].planned for name in names)
+
+
 def looks(generation, *names):
     """How often a test of these arms was looked at until a generation, whose trials then went on."""
-    return 1 if names and all(DRAWN[name].planned for name in names) else max(1, -(-generation // STRIDE))
+    return 1 if are_planned(names) else max(1, -(-generation // STRIDE))
 
 
 def times_looks(p, looked):
@@ -220,7 +225,7 @@ def comparisons(arms):
 
 def on_the_way(arms):
     """The same at every twentieth generation before the last one, of arms that were looked at there."""
-    rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE) if looks(last, *names) > 1]
+    rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE) if not are_planned(names)]
     return [{"arms": row["arms"], "generations": row["generations"]} | row for row in rows]
 
 
@@ -228,7 +233,7 @@ def at_equal_evaluations(arms):
     """The best robots after as many walks: as many as the trial of both arms that has the fewest at the last generation that both have."""
     rows = []
     for names, one, other, last in compared(arms):
-        if any(trial.evaluations is None for trial in one + other) or all(DRAWN[name].planned for name in names):
+        if any(trial.evaluations is None for trial in one + other) or are_planned(names):
             continue
         evaluations = min(trial.evaluations[last] for trial in one + other)
         reached = [[trial.best_after(evaluations) for trial in trials] for trials in (one, other)]

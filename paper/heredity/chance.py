@@ -24,7 +24,7 @@ FRACTAL = HERE.parent / "fractal"
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance"), str(FRACTAL)]
 
 import numpy as np  # noqa: E402
-from made_up import ROBOTS, SURVIVORS  # noqa: E402
+from made_up import ROBOTS, SURVIVORS, robots_of  # noqa: E402
 from sample_statistics import mean, rank_sum, share_of_larger  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa: E402
@@ -129,7 +129,7 @@ def draw_fitness(panel, found, cells):
 def draw_shares(panel, rows, made_up):
     for generation in sorted({int(row["generations"]) for row in made_up} & set(DASHES)):
         line = [(float(row["spearman"]), 100 * float(row["larger"])) for row in made_up if row["generations"] == str(generation)]
-        panel.plot(*zip(*line), linestyle=DASHES[generation], color="#222222", linewidth=1, label=f"made up, {SURVIVORS + ROBOTS * generation} walks")
+        panel.plot(*zip(*line), linestyle=DASHES[generation], color="#222222", linewidth=1, label=f"made up, {robots_of(generation)} walks")
     for row in rows:
         kind = SEARCHES[row["searches"]]
         if row["spearman"] and row["larger_low"] is not None:

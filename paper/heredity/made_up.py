@@ -60,14 +60,22 @@ def survivors_of(fitness, ages, numbers, wanted, random):
     for level in np.unique(levels):
         members = order[levels[order] == level]
         room = wanted - len(taken)
+        if room == 0:
+            break
         if len(members) > room:
             places = [0]
             while len(places) < room:
                 place = min(int(len(members) ** random.random()), len(members) - 1)  # rounding can lift L^u to L
-                places += [place] * (place not in places)
-            members = members[places[:room]]
+                if place not in places:
+                    places.append(place)
+            members = members[places]
         taken.extend(members)
     return np.array(taken)
+
+
+def robots_of(generation):
+    """How many robots a search had until a generation."""
+    return SURVIVORS + ROBOTS * generation
 
 
 class Robots:
@@ -101,16 +109,11 @@ def search(robots, generations, random):
         mutants.append(robots.mutants(speeds, random))
         pool = np.concatenate([speeds, mutants[-1], robots.draw(1, random)])
         pool_ages = np.concatenate([ages, ages, [0]])
-        pool_numbers = np.concatenate([numbers, SURVIVORS + (generation - 1) * ROBOTS + np.arange(ROBOTS)])
+        pool_numbers = np.concatenate([numbers, robots_of(generation - 1) + np.arange(ROBOTS)])
         chosen = survivors_of(pool.min(axis=1), pool_ages, pool_numbers, SURVIVORS, random)
         speeds, ages, numbers = pool[chosen], pool_ages[chosen], pool_numbers[chosen]
         best.append(speeds.min(axis=1).max())
     return np.array(best), np.array(parents), np.array(mutants)
-
-
-def robots_of(generation):
-    """How many robots a search had until a generation."""
-    return SURVIVORS + ROBOTS * generation
 
 
 class Searches:
@@ -125,7 +128,6 @@ class Searches:
         """Of the mutants up to a generation, mean over searches."""
         until = slice(0, generation)
         return mean([rank_correlation(before[until, :, scale].ravel(), after[until, :, scale].ravel()) for before, after in zip(self.parents, self.mutants)])
-
 
     def faster(self, generation):
         """The share of mutants up to a generation that are faster than their parents, mean over searches."""
@@ -143,20 +145,20 @@ def ahead_of_chance_at_two_scales(best, draws):
     return (1.0 - np.array([both_below.cdf([-one, -one]) for one in best])) ** draws  # by symmetry as often above as below the negative
 
 
-def at_one_scale(searches=SEARCHES, generations=GENERATIONS):
-    found = {float(heredity): Searches(Robots([heredity]), searches, max(generations)) for heredity in HEREDITIES}
-    for generation in generations:
+def at_one_scale():
+    found = {float(heredity): Searches(Robots([heredity]), SEARCHES, max(GENERATIONS)) for heredity in HEREDITIES}
+    for generation in GENERATIONS:
         for heredity, of_kind in found.items():
-            row = {"generations": generation, "heredity": heredity, "searches": searches} | of_kind.spearman(generation, 0).cells("spearman")
+            row = {"generations": generation, "heredity": heredity, "searches": SEARCHES} | of_kind.spearman(generation, 0).cells("spearman")
             row |= of_kind.faster(generation).cells("faster")
             yield row | mean(ahead_of_chance(of_kind.best[:, generation], robots_of(generation))).cells("larger")
 
 
-def at_two_scales(searches=SEARCHES, generations=GENERATIONS):
+def at_two_scales():
     for mutants, heredities in TWO_HEREDITIES.items():
-        fractals, control = (Searches(Robots(heredities, second_alone), searches, max(generations)) for second_alone in (0.0, SECOND_ALONE))
-        for generation in generations:
-            row = {"mutants": mutants, "generations": generation} | dict(zip(("heredity_first", "heredity_second"), heredities)) | {"searches": searches}
+        fractals, control = (Searches(Robots(heredities, second_alone), SEARCHES, max(GENERATIONS)) for second_alone in (0.0, SECOND_ALONE))
+        for generation in GENERATIONS:
+            row = {"mutants": mutants, "generations": generation} | dict(zip(("heredity_first", "heredity_second"), heredities)) | {"searches": SEARCHES}
             for scale, name in enumerate(("first", "second")):
                 row |= fractals.spearman(generation, scale).cells(f"spearman_{name}")
             best = fractals.best[:, generation]
