@@ -5,8 +5,10 @@
 #   paper/run_experiment.sh --check NAME [PART ...]    only checks that there are these
 #
 # An experiment is a folder with a file experiment.sh. Its first line asks the question. It names its parts with
-#   part NAME COST WHAT   or   part_on_request NAME COST WHAT, which runs only if it is named,
-# and has a function of the name of each. Such a function finds
+#   part NAME COST WHAT                               and has a function of that name, or
+#   trials NAME NUMBER COST WHAT FIRST COMMAND ...    for the parts NAME_1 to NAME_NUMBER, each of which calls COMMAND ... SEED: of the
+#                                                     first one FIRST is the seed, of each further one the next whole number;
+# part_on_request and trials_on_request do the same for parts that run only if they are named. A part finds
 #   menger ...            the programs; outcomes that a status names are results, an interrupt ends the experiment
 #   $study                the folder of the experiment, with its studies and its small tables, which are in git
 #   $results              the folder of its results, build/paper/NAME, which is not; programs go on from what they find there
@@ -33,22 +35,38 @@ experiments() {
   for file in paper/*/experiment.sh; do basename "$(dirname "$file")"; done
 }
 
-# Reads an experiment; on_part is called for each of its parts.
+# Reads an experiment. on_parts is called with NAME COST WHAT WHEN for each of its parts, and with a fifth word NUMBER for those of trials.
 read_experiment() {
-  part() { on_part "$@" ""; }
-  part_on_request() { on_part "$@" "on request: "; }
+  part() { on_parts "$1" "$2" "$3" ""; }
+  part_on_request() { on_parts "$1" "$2" "$3" "on request: "; }
+  trials() { named_trials "" "$@"; }
+  trials_on_request() { named_trials "on request: " "$@"; }
   # shellcheck disable=SC1090  # one file for each experiment
   source "paper/$1/experiment.sh"
 }
 
+named_trials() {
+  local when=$1 name=$2 number=$3 cost=$4 what=$5 first=$6 command k
+  shift 6
+  printf -v command '%q ' "$@"
+  for ((k = 1; k <= number; ++k)); do
+    eval "${name}_$k() { $command $((first + k - 1)); }"
+  done
+  on_parts "$name" "$cost" "$what" "$when" "$number"
+}
+
 list() {
   local name
-  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon."
+  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon. NAME_{1..10} are ten parts, as bash writes them, of that cost each."
   echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, heredity, phase_wave, single_actuator and scale_invariance N generations:"
   for name in $(experiments); do
     printf '%s: %s\n' "$name" "$(sed -n '1s/^# //p' "paper/$name/experiment.sh")"
     (
-      on_part() { printf '  %-24s %-28s %s%s\n' "$1" "$2" "$4" "$3"; }
+      on_parts() {
+        local name=$1
+        [ -z "${5:-}" ] || name+="_{1..$5}"
+        printf '  %-27s %-28s %s%s\n' "$name" "$2" "$4" "$3"
+      }
       read_experiment "$name"
     )
   done
@@ -124,15 +142,23 @@ run() {
   [ -e "paper/$name/experiment.sh" ] || refuse "there is no experiment paper/$name"
   study=paper/$name
   results=build/paper/$name
-  on_part() {
-    known+=("$1")
-    [ -n "$4" ] || when_not_named+=("$1")
+  on_parts() {
+    local names=("$1") k
+    if [ -n "${5:-}" ]; then
+      names=()
+      for ((k = 1; k <= $5; ++k)); do names+=("$1_$k"); done
+    fi
+    known+=("${names[@]}")
+    [ -n "$4" ] || when_not_named+=("${names[@]}")
   }
   read_experiment "$name"
   wanted=("$@")
   [ $# -gt 0 ] || wanted=("${when_not_named[@]}")
   for one in "${wanted[@]}"; do
     [[ " ${known[*]} " == *" $one "* ]] || refuse "the experiment $name has no part $one"
+  done
+  for one in "${known[@]}"; do
+    [ "$(type -t "$one")" = function ] || refuse "paper/$name/experiment.sh: its part $one has no function"
   done
   [ -z "$only_check" ] || return 0
   mkdir -p "$results"

@@ -1,9 +1,7 @@
 # At equal cost, which search finds the better robot: on voxels, on finite elements, or on both?
 # A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
-for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "seed_$seed" "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings"
-done
+trials_on_request seed 10 "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings" 1 searches_of_full_size
 part_on_request winners "up to 2 h of two cores" "the winners of searches on elements that have not walked on two layers or at other dampings: such a search is made again up to its winner"
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
@@ -56,9 +54,8 @@ searches() {
   proof summary "$tables"
 }
 
-for seed in 1 2 3 4 5 6 7 8 9 10; do
-  eval "seed_$seed() { searches $seed \"\$study/size.toml\" \"\$results\" \"\$study\"; }"
-done
+# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+searches_of_full_size() { searches "$1" "$study/size.toml" "$results" "$study"; }
 
 # Searches whose archives are gone are made again, with the same seeds, until they have met the winner that the tables name.
 # shellcheck disable=SC2154  # $results is that of run_experiment.sh

@@ -1,12 +1,8 @@
 # Does a robot do at the next scale what it does at one, and for which robots does it?
 part random "20 min of two cores" "random robots at three scales"
 part random_balanced "20 min of two cores" "the same with beams whose moments balance their forces"
-for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part "one_scale_$seed" "6 min" "a search at the smallest scale, and its champion at three scales"
-done
-for seed in 1 2 3 4 5 6 7 8 9 10; do
-  part_on_request "one_scale_balanced_$seed" "6 min" "the same with beams whose moments balance their forces"
-done
+trials one_scale 10 "6 min" "a search at the smallest scale, and its champion at three scales" 1 search_at_one_scale one_scale
+trials_on_request one_scale_balanced 10 "6 min" "the same with beams whose moments balance their forces" 1 search_at_one_scale one_scale_balanced
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
 part_on_request two_scales_balanced "8 min" "the same of those with beams whose moments balance their forces"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
@@ -42,11 +38,6 @@ search_at_one_scale() {
   mkdir -p "$study/$1"
   table "$results/$1_$2/generations.csv" "$study/$1/$2.csv"
 }
-
-for seed in 1 2 3 4 5 6 7 8 9 10; do
-  eval "one_scale_$seed() { search_at_one_scale one_scale $seed; }"
-  eval "one_scale_balanced_$seed() { search_at_one_scale one_scale_balanced $seed; }"
-done
 
 # The champions of the experiment fractal.
 two_scales() { each_archive build/paper/fractal/two_scales_ .sqlite "fractal two_scales_1" walks_of_champion two_scales; }

@@ -31,6 +31,7 @@ SEARCHES = """# Does it evolve?
 part small "a minute" "a search"
 part seeded "a minute" "another"
 part_on_request forty "an hour" "a trial"
+trials_on_request several 3 "a day" "some of them" 41 search small
 small() { search_with_champion small; }
 seeded() { search small 7; }
 forty() { trial small 3 40; search small 8; }
@@ -241,6 +242,10 @@ class Experiments(PaperTest):
             self.assertIn("error", outcome.stderr)
             self.assertIn("a short walk", outcome.stderr, "what there is")
         self.assertEqual(self.experiment("--check", "one", "long").returncode, 0)
+        self.put("paper/one/experiment.sh", EXPERIMENT.replace("long()", "short()"))
+        outcome = self.experiment("--check", "one", "walk")
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("paper/one/experiment.sh: its part long has no function", outcome.stderr)
         self.assertFalse((self.tree / "build/paper").exists())
 
     def test_end_with_an_interrupt(self):
@@ -276,6 +281,15 @@ class Experiments(PaperTest):
             self.assertEqual(outcome.returncode, 2, wrong)
             self.assertIn(f"GENERATIONS={wrong}: must be a whole number", outcome.stderr)
 
+
+    def test_trials_are_parts_with_seeds_that_follow_each_other(self):
+        self.put_searches()
+        self.assertRegex(self.experiment().stdout, r"several_\{1\.\.3\} +a day +on request: some of them")
+        outcome = self.experiment("evolved", "several_1", "several_3")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.assertEqual([line.split()[3] for line in self.text("calls").splitlines()], ["41", "43"])
+        for unknown in ("several", "several_0", "several_4"):
+            self.assertEqual(self.experiment("--check", "evolved", unknown).returncode, 2, unknown)
 
     def test_champions_are_those_of_one_kind_of_search(self):
         self.put("paper/walked/experiment.sh", (SOURCES / "paper/scale_invariance/experiment.sh").read_text())
@@ -389,14 +403,8 @@ class Tree(unittest.TestCase):
         listed = subprocess.run([str(SOURCES / "paper/run_experiment.sh")], capture_output=True, text=True, check=True).stdout
         for file in sorted(SOURCES.glob("paper/*/experiment.sh")):
             self.assertIn(f"{file.parent.name}: {file.read_text().splitlines()[0][2:]}", listed)
-            # Of every part that the file names, bash is asked whether the name is a function then.
-            script = 'names=(); part() { names+=("$1"); }; part_on_request() { part "$@"; }; source "$0"; '
-            script += 'for name in "${names[@]}"; do echo "$name $(type -t "$name")"; done'
-            parts = dict(line.partition(" ")[::2] for line in subprocess.run(["bash", "-c", script, str(file)], capture_output=True, text=True,
-                                                                             check=True).stdout.splitlines())
-            self.assertTrue(parts, file)
-            for name, kind in parts.items():
-                self.assertEqual(kind, "function", f"{file}: {name}")
+            checked = subprocess.run([str(SOURCES / "paper/run_experiment.sh"), "--check", file.parent.name], capture_output=True, text=True, check=False)
+            self.assertEqual(checked.returncode, 0, checked.stderr)
 
     def test_the_table_of_ranks_is_what_its_script_prints(self):
         folder = SOURCES / "paper/fractal"
