@@ -31,7 +31,9 @@ heredity() {
   each_archive build/paper/fractal/single_cells_ .sqlite "fractal single_cells_1" individuals_of single_cells || true
   each_archive build/paper/fractal/two_scales_balanced_ .sqlite "fractal balanced_1" individuals_of balanced || true
   each_archive build/paper/fractal/new_mutants_ .sqlite "fractal new_mutants_1" individuals_of new_mutants || true
+  each_archive build/paper/fractal/again_ .sqlite "fractal again_1" individuals_of fractal_again || true
   each_archive build/paper/non_fractal/two_scales_ .sqlite "non_fractal two_scales_1" individuals_of control || true
+  each_archive build/paper/non_fractal/again_ .sqlite "non_fractal again_1" individuals_of control_again || true
   each_archive build/paper/non_fractal/body_mutants_ .sqlite "non_fractal body_mutants_1" individuals_of body_mutants || true
   "$study/heredity.py" "$results/individuals"
 }

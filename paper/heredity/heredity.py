@@ -7,12 +7,12 @@ heredity.csv   for each arm and number of cells that differ, means over trials w
                of parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
 inherited.csv  the same of all mutants, however many cells differ
 mutants.csv    for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
-               and the share of mutants that are fitter than their parents. Mutants of the control, whose larger scale evolves apart, are
-               those that change the body and those that change its arrangement alone
+               and the share of mutants that are fitter than their parents
 repeats.csv    for each arm: the share of mutants that are robots which the search had before, of all of them and of those of the best robot
                so far
 
-Trials of the control are in the last two tables only.
+Mutants of the control, whose larger scale evolves apart, are of two kinds: those that change the body and those that change its arrangement
+alone, which go as fast at 3 cells as their parents. heredity.csv leaves its trials out.
 In trials at two scales the larger one walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten
 such mutants count.
 Exit codes: 0 done, 2 wrong input.
@@ -32,10 +32,10 @@ from small_tables import InputError, cell, read_table, run_script, write_table  
 
 LEVELS = (1, 2)
 CELLS_CHANGED = ((1, 1), (2, 2), (3, 4), (5, 8), (9, 27))
-ANY = (1, 27)
 FEWEST_MUTANTS = 10  # of a trial, fewer of which have no rank correlation to speak of
 FAST_PER_MINUTE = 15.0
-ARMS = ("fractal", "in_pieces", "single_cells", "three_cells", "three_cells_single", "nine_cells", "nine_cells_single", "balanced", "new_mutants", "control", "body_mutants")  # in the order of the tables
+ARRANGEMENT_ALONE = "mutants of its arrangement alone"  # those of the control that keep the body
+ARMS = ("fractal", "in_pieces", "single_cells", "three_cells", "three_cells_single", "nine_cells", "nine_cells_single", "balanced", "new_mutants", "fractal_again", "control", "control_again", "body_mutants")  # in the order of the tables
 
 
 def speeds_of(rows, level):
@@ -85,21 +85,22 @@ class Trial:
         if self.changed and len(self.changed[0]) == 1:
             return {"mutants": np.full(len(self.mutants), True)}
         of_body = np.array([parts[0] > 0 for parts in self.changed])
-        return {"mutants of the body": of_body, "mutants of its arrangement alone": ~of_body & (self.cells_changed > 0)}
+        return {"mutants of the body": of_body, ARRANGEMENT_ALONE: ~of_body & (self.cells_changed > 0)}
 
-    def heredity(self, level, low, high):
-        """The correlation, the share that keeps half of the speed and the share that is faster; or nothing where there are few mutants."""
+    def heredity(self, level, which):
+        """Of some of the mutants: the correlation, the share that keeps half of the speed and the share that is faster; or nothing where there
+        are few mutants."""
         parents, mutants = self.speeds[level]
-        there = (self.cells_changed >= low) & (self.cells_changed <= high) & np.isfinite(parents) & np.isfinite(mutants)
+        there = which & np.isfinite(parents) & np.isfinite(mutants)
         if there.sum() < FEWEST_MUTANTS:
             return None
         parents, mutants = parents[there], mutants[there]
         return int(there.sum()), rank_correlation(parents, mutants), float(np.mean(mutants >= 0.5 * parents)), float(np.mean(mutants > parents))
 
 
-def kept_speed(trials, level, cells_changed):
-    """Of the mutants of which so many cells differ: columns of a row, or nothing where there are none."""
-    found = [one for trial in trials if (one := trial.heredity(level, *cells_changed))]
+def kept_speed(trials, level, which):
+    """Of the mutants of each trial that which(trial) names: columns of a row, or nothing where there are none."""
+    found = [one for trial in trials if (one := trial.heredity(level, which(trial)))]
     if not found:
         return None
     numbers, *samples = zip(*found)
@@ -112,14 +113,15 @@ def kept_speed(trials, level, cells_changed):
 def heredity(arm, trials):
     for level in LEVELS:
         for low, high in CELLS_CHANGED:
-            if row := kept_speed(trials, level, (low, high)):
+            if row := kept_speed(trials, level, lambda trial: (low <= trial.cells_changed) & (trial.cells_changed <= high)):
                 yield {"arm": arm, "cells_per_side": 3**level, "cells_changed": f"{low}" if low == high else f"{low} to {high}"} | row
 
 
 def inherited(arm, trials):
-    for level in LEVELS:
-        if row := kept_speed(trials, level, ANY):
-            yield {"arm": arm, "cells_per_side": 3**level} | row
+    for kind in trials[0].kinds:
+        for level in LEVELS[1:] if kind == ARRANGEMENT_ALONE else LEVELS:
+            if row := kept_speed(trials, level, lambda trial: trial.kinds[kind] & (trial.cells_changed > 0)):
+                yield {"arm": arm, "cells_per_side": 3**level, "kind": kind} | row
 
 
 def fast_share(fitness):
@@ -147,9 +149,8 @@ def repeats(arm, trials):
 
 
 # The rows of each table, and the arms that it has
-OF_FRACTALS = tuple(arm for arm in ARMS if arm not in ("control", "body_mutants"))
-TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "inherited": (inherited, OF_FRACTALS),
-          "mutants": (fast_robots, ("fractal", "balanced", "control")), "repeats": (repeats, ARMS)}
+TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "inherited": (inherited, ARMS),
+          "mutants": (fast_robots, ("fractal", "balanced", "control", "control_again")), "repeats": (repeats, ARMS)}
 
 
 def main(arguments):

@@ -988,6 +988,7 @@ class Heredity(Case):
         self.individuals("fractal-1", columns, [[0, "", body_of, 0.06, 0, 0.09, 0]]
                          + [[n, 0, "1111" + "0" * 23, 0.03 * n, 0, 0.135, 0] for n in range(1, 13)])
         self.done("heredity/heredity.py", self.tree / "found")
+        self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/heredity/inherited.csv")}, {"fractal"}, "ten mutants of a kind are needed to tell")
         rows = {(row["arm"], row["kind"]): row for row in table_of(self.tree / "paper/heredity/mutants.csv")}
         self.assertEqual({key: (row["robots"], row["fitter"], row["fast"]) for key, row in rows.items() if key[0] == "control"},
                          {("control", "mutants of the body"): ("1", "0", "0"), ("control", "mutants of its arrangement alone"): ("2", "0.5", "0.5"),
@@ -998,6 +999,19 @@ class Heredity(Case):
         shutil.rmtree(self.tree / "found/control-1001")
         self.done("heredity/heredity.py", self.tree / "found")
         self.assertEqual([(self.tree / f"paper/heredity/{name}.csv").read_text() for name in ("heredity", "inherited", "mutants", "repeats")], before, "who is not there keeps its rows")
+
+    def test_tells_what_mutants_of_the_control_inherit(self):
+        # Those of another arrangement keep their speed at 9 cells, those of another body go the other way round.
+        columns = ["individual", "parent", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2) for axis in "xy"]
+        body_of, arranged = "111" + "0" * 24, "11" + "0" * 25
+        ways = [n + 1.0 for n in range(12)]
+        rows = [[n, "", f"{body_of}|{arranged}", 0.03 * way, 0, 0.09 * way, 0] for n, way in enumerate(ways)]
+        rows += [[20 + n, n, f"{body_of}|111{arranged[3:]}", 0.03 * way, 0, 0.09 * way, 0] for n, way in enumerate(ways)]
+        rows += [[40 + n, n, f"1111{body_of[4:]}|{arranged}", 0.03 * way, 0, 0.09 * (13.0 - way), 0] for n, way in enumerate(ways)]
+        self.individuals("control_again-1016", columns, rows)
+        self.done("heredity/heredity.py", self.tree / "found")
+        found = {(row["cells_per_side"], row["kind"]): (row["mutants"], float(row["spearman"])) for row in table_of(self.tree / "paper/heredity/inherited.csv")}
+        self.assertEqual(found, {("3", "mutants of the body"): ("12", 1.0), ("9", "mutants of the body"): ("12", -1.0), ("9", "mutants of its arrangement alone"): ("12", 1.0)})
 
     def test_tells_what_all_mutants_inherit_of_whom_both_scales_do_not_walk(self):
         # Searches at 9 cells alone: mutants of one cell keep their speed, those of two go the other way round; one equals its parent and does not count.
