@@ -4,11 +4,11 @@
 #   paper/run_experiment.sh NAME [PART ...]    runs all parts of paper/NAME, or those that are named
 #   paper/run_experiment.sh --check NAME [PART ...]    only checks that there are these
 #
-# An experiment is a folder with a file experiment.sh. Its first line asks the question. It names its parts with
-#   part NAME COST WHAT                               and has a function of that name, or
+# An experiment is a folder with a file experiment.sh. Its first line asks the question. It names its parts, before it has functions, with
+#   part NAME COST WHAT                               which calls its function NAME, or
 #   trials NAME NUMBER COST WHAT FIRST COMMAND ...    for the parts NAME_1 to NAME_NUMBER, each of which calls COMMAND ... SEED: of the
 #                                                     first one FIRST is the seed, of each further one the next whole number;
-# part_on_request and trials_on_request do the same for parts that run only if they are named. A part finds
+# part_on_request and trials_on_request do the same for parts that run only if they are named. A file and its functions find
 #   menger ...            the programs; outcomes that a status names are results, an interrupt ends the experiment
 #   $study                the folder of the experiment, with its studies and its small tables, which are in git
 #   $results              the folder of its results, build/paper/NAME, which is not; programs go on from what they find there
@@ -17,7 +17,8 @@
 #   search STUDY SEED     the same with another seed, and the table STUDY/SEED.csv
 #   search_with_champion STUDY [TABLE]
 #                         the same, and keeps its champion with a small picture in champions.csv, or in another table
-#   trial STUDY SEED [N]  a long trial at three scales, and the table three_scales/SEED.csv; N generations in place of the study's
+#   search_at_three_scales STUDY SEED [N]
+#                         a long trial, and the table three_scales/SEED.csv; N generations in place of the study's
 #   each_archive PREFIX SUFFIX "EXPERIMENT PART" FUNCTION [WORD ...]
 #                         calls FUNCTION WORD... SEED ARCHIVE for the archives PREFIX SEED SUFFIX that there are; where there is none
 #                         it says which part makes one, and fails
@@ -37,17 +38,31 @@ experiments() {
 
 # Reads an experiment. on_parts is called with NAME COST WHAT WHEN for each of its parts, and with a fifth word NUMBER for those of trials.
 read_experiment() {
-  part() { on_parts "$1" "$2" "$3" ""; }
-  part_on_request() { on_parts "$1" "$2" "$3" "on request: "; }
+  local needed=() one
+  study=paper/$1
+  results=build/paper/$1
+  part() { one_part "" "$@"; }
+  part_on_request() { one_part "on request: " "$@"; }
   trials() { named_trials "" "$@"; }
   trials_on_request() { named_trials "on request: " "$@"; }
-  # shellcheck disable=SC1090  # one file for each experiment
-  source "paper/$1/experiment.sh"
+  # shellcheck disable=SC1090,SC1091  # one file for each experiment
+  source "$study/experiment.sh"
+  [ ${#needed[@]} -gt 0 ] || wrong "$study/experiment.sh: names no part"
+  for one in "${needed[@]}"; do is_function "$one" || wrong "$study/experiment.sh: has no function $one"; done
+}
+
+is_function() { [ "$(type -t "$1")" = function ]; }
+
+one_part() {
+  [[ " $own_functions " != *" $2 "* ]] || wrong "$study/experiment.sh: there is a function $2 already; give the part another name"
+  needed+=("$2")
+  on_parts "$2" "$3" "$4" "$1"
 }
 
 named_trials() {
   local when=$1 name=$2 number=$3 cost=$4 what=$5 first=$6 command k
   shift 6
+  needed+=("$1")
   printf -v command '%q ' "$@"
   for ((k = 1; k <= number; ++k)); do
     eval "${name}_$k() { $command $((first + k - 1)); }"
@@ -55,11 +70,12 @@ named_trials() {
   on_parts "$name" "$cost" "$what" "$when" "$number"
 }
 
+# All experiments, or one.
 list() {
   local name
-  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon. NAME_{1..10} are ten parts, as bash writes them, of that cost each."
+  echo "Experiments and their parts, with rough costs on two idle cores of a Xeon. NAME_{1..10} stands for ten parts, NAME_1 to NAME_10; the cost is that of one."
   echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, heredity, phase_wave, single_actuator and scale_invariance N generations:"
-  for name in $(experiments); do
+  for name in ${1:-$(experiments)}; do
     printf '%s: %s\n' "$name" "$(sed -n '1s/^# //p' "paper/$name/experiment.sh")"
     (
       on_parts() {
@@ -72,9 +88,15 @@ list() {
   done
 }
 
+wrong() {
+  printf 'run_experiment.sh: error: %s\n' "$1" >&2
+  exit 2
+}
+
+# An error, and what there is: in all experiments, or in one.
 refuse() {
   printf 'run_experiment.sh: error: %s\n\n' "$1" >&2
-  list >&2
+  list "${@:2}" >&2
   exit 2
 }
 
@@ -109,7 +131,7 @@ search_with_champion() {
   paper/champion.py take "$results/$1" "$study/$1.toml" "$(sed -n 's/^seed = //p' "$study/$1.toml")" "${2:-$study/champions.csv}"
 }
 
-trial() {
+search_at_three_scales() {
   local code=0 out=$results/three_scales_$2 generations
   generations_or "${3:-}"
   paper/fractal/trial.sh "$study/$1.toml" "$out" build/release/bin "" --seed "$2" "${generations[@]}" || code=$?
@@ -137,29 +159,30 @@ table() { paper/tables.py take "$@"; }
 gather() { paper/tables.py gather "$@"; }
 
 run() {
-  local name=$1 one known=() wanted=() when_not_named=()
+  local name=$1 one k names wanted=() when_not_named=()
+  local -A names_of=()  # the parts that a word of the command means
   shift
   [ -e "paper/$name/experiment.sh" ] || refuse "there is no experiment paper/$name"
-  study=paper/$name
-  results=build/paper/$name
   on_parts() {
-    local names=("$1") k
+    local names=("$1")
     if [ -n "${5:-}" ]; then
       names=()
-      for ((k = 1; k <= $5; ++k)); do names+=("$1_$k"); done
+      for ((k = 1; k <= $5; ++k)); do
+        names+=("$1_$k")
+        names_of[$1_$k]=$1_$k
+      done
+      names_of["$1_{1..$5}"]=${names[*]}  # from a shell other than bash
     fi
-    known+=("${names[@]}")
+    names_of[$1]=${names[*]}
     [ -n "$4" ] || when_not_named+=("${names[@]}")
   }
   read_experiment "$name"
-  wanted=("$@")
+  for one in "$@"; do
+    [ -n "${names_of[$one]:-}" ] || refuse "the experiment $name has no part $one" "$name"
+    read -ra names <<<"${names_of[$one]}"
+    wanted+=("${names[@]}")
+  done
   [ $# -gt 0 ] || wanted=("${when_not_named[@]}")
-  for one in "${wanted[@]}"; do
-    [[ " ${known[*]} " == *" $one "* ]] || refuse "the experiment $name has no part $one"
-  done
-  for one in "${known[@]}"; do
-    [ "$(type -t "$one")" = function ] || refuse "paper/$name/experiment.sh: its part $one has no function"
-  done
   [ -z "$only_check" ] || return 0
   mkdir -p "$results"
   for one in "${wanted[@]}"; do
@@ -170,6 +193,7 @@ run() {
   say "done: small tables are in $study, and the texts say what they say (git diff shows what is new)"
 }
 
+own_functions=$(compgen -A function | tr '\n' ' ')
 if ! [[ ${GENERATIONS:-0} =~ ^[0-9]+$ ]]; then
   refuse "GENERATIONS=$GENERATIONS: must be a whole number"
 fi

@@ -13,12 +13,12 @@ part_on_request three_scales "9 h of two cores" "the same trial: 325 generations
 part_on_request full "4 days of two cores" "ten such trials, seeds 1 to 10: the paper's experiment"
 part_on_request small "10 s" "three generations of small bodies"
 
-three_scales_40() { trial single_precision 1 40; }
-three_scales() { trial single_precision 1; }
+three_scales_40() { search_at_three_scales single_precision 1 40; }
+three_scales() { search_at_three_scales single_precision 1; }
 
 full() {
   local seed
-  for seed in 1 2 3 4 5 6 7 8 9 10; do trial single_precision "$seed"; done
+  for seed in 1 2 3 4 5 6 7 8 9 10; do search_at_three_scales single_precision "$seed"; done
 }
 
 # shellcheck disable=SC2154  # $study is that of run_experiment.sh

@@ -165,7 +165,7 @@ def main(arguments):
         raise InputError(__doc__)
     found = found_searches()
     if not found:
-        raise InputError(f"{HERE}: has no searches yet: ./run paper heredity three_cells_1 three_cells_random_1")
+        raise InputError(f"{HERE}: has no searches yet: ./run paper heredity nine_cells_1 nine_cells_random_1")
     inherited, made_up = (read_table(file) if file.exists() else [] for file in (HERE / "inherited.csv", HERE / "made_up.csv"))
     rows = list(chance(found, inherited, made_up))
     if rows:

@@ -5,16 +5,16 @@ heredity.py FOLDER    reads FOLDER/ARM-SEED/individuals.csv, which menger export
 
 heredity.csv   for each arm and number of cells that differ, means over trials with bootstrap intervals: Spearman's rank correlation of the speeds
                of parents and mutants at each scale, the share of mutants that keep half of the speed, and the share that are faster
-inherited.csv  the same of all mutants, however many cells differ
-mutants.csv    for each arm, of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
+inherited.csv  the same of all mutants, however many cells differ; of the control for each kind of mutants
+mutants.csv    of mutants and of robots that are drawn at random: the share whose slowest scale goes 15 body lengths a minute,
                and the share of mutants that are fitter than their parents
 repeats.csv    for each arm: the share of mutants that are robots which the search had before, of all of them and of those of the best robot
                so far
 
 Mutants of the control, whose larger scale evolves apart, are of two kinds: those that change the body and those that change its arrangement
 alone, which go as fast at 3 cells as their parents. heredity.csv leaves its trials out.
-In trials at two scales the larger one walks only where selection needs it: such mutants are fast at the smaller one. Only trials with ten
-such mutants count.
+In trials at two scales the larger one walks only where selection needs it: such mutants are fast at the smaller one, be it of their own or
+because they kept the body of a fast parent. Only trials with ten such mutants count.
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -56,6 +56,7 @@ class Trial:
         self.changed = [[sum(one != other for one, other in zip(*parts)) for parts in zip(row["phenotype"].split("|"), parent["phenotype"].split("|"))]
                         for row, parent in zip(self.mutants, self.parents)]
         self.cells_changed = np.array([sum(parts) for parts in self.changed], dtype=int)
+        self.is_fractal = all("|" not in row["phenotype"] for row in rows)
         self.speeds = {level: (speeds_of(self.parents, level), speeds_of(self.mutants, level)) for level in LEVELS}
         self.kinds = self.which_mutants()
         self.repeats, self.repeats_of_best = self.which_repeat(rows)
@@ -82,9 +83,9 @@ class Trial:
 
     def which_mutants(self):
         """The name of each kind of mutants, and which they are."""
-        if self.changed and len(self.changed[0]) == 1:
+        if self.is_fractal:
             return {"mutants": np.full(len(self.mutants), True)}
-        of_body = np.array([parts[0] > 0 for parts in self.changed])
+        of_body = np.array([parts[0] > 0 for parts in self.changed], dtype=bool)
         return {"mutants of the body": of_body, ARRANGEMENT_ALONE: ~of_body & (self.cells_changed > 0)}
 
     def heredity(self, level, which):
@@ -150,16 +151,16 @@ def repeats(arm, trials):
 
 # The rows of each table, and the arms that it has
 TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "inherited": (inherited, ARMS),
-          "mutants": (fast_robots, ("fractal", "balanced", "control", "control_again")), "repeats": (repeats, ARMS)}
+          "mutants": (fast_robots, ("fractal", "balanced", "fractal_again", "control", "control_again")), "repeats": (repeats, ARMS)}
 
 
 def main(arguments):
     if len(arguments) != 1:
         raise InputError(__doc__)
     arms = {arm: [Trial(file) for file in sorted(pathlib.Path(arguments[0]).glob(f"{arm}-*/individuals.csv"))] for arm in ARMS}
-    arms = {arm: trials for arm, trials in arms.items() if trials}
+    arms = {arm: begun for arm, trials in arms.items() if (begun := [trial for trial in trials if trial.mutants])}
     if not arms:
-        raise InputError(f"{arguments[0]}: has no ARM-SEED/individuals.csv")
+        raise InputError(f"{arguments[0]}: has no ARM-SEED/individuals.csv with mutants")
     for name, (rows_of, its_arms) in TABLES.items():
         file = HERE / f"{name}.csv"
         made = [row for arm in its_arms if arm in arms for row in rows_of(arm, arms[arm])]

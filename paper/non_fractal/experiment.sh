@@ -4,19 +4,19 @@ trials two_scales 15 "11 min of two cores" "140 generations at the scales of 3 a
 # Other seeds than those of all other searches, so that no two begin with the same robots.
 trials random_search 10 "4 min of two cores" "as many robots as 40 generations of two_scales ask for, but 14, all drawn at random" 3001 search random_search
 # The seeds of two_scales, so that both begin with the same robots.
-trials body_mutants 15 "3 min of two cores" "40 generations of two_scales in which every mutant gets another body" 1001 search body_mutants
+trials body_mutants 15 "3 min of two cores" "40 generations of two_scales, of the same seed, in which every mutant gets another body" 1001 search body_mutants
 trials_on_request again 15 "4 min of two cores" "60 generations of other seeds, which repeat the comparison with those of fractal" 1016 search again
 part_on_request three_scales_40 "about 1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "about 9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "about 6 days of two cores" "fifteen such trials, seeds 1001 to 1015: the paper's control"
 part_on_request small "10 s" "three generations of small bodies"
 
-three_scales_40() { trial single_precision 1001 40; }
-three_scales() { trial single_precision 1001; }
+three_scales_40() { search_at_three_scales single_precision 1001 40; }
+three_scales() { search_at_three_scales single_precision 1001; }
 
 full() {
   local seed
-  for seed in {1001..1015}; do trial single_precision "$seed"; done
+  for seed in {1001..1015}; do search_at_three_scales single_precision "$seed"; done
 }
 
 small() { search small; }

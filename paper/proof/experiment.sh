@@ -1,7 +1,8 @@
 # At equal cost, which search finds the better robot: on voxels, on finite elements, or on both?
 # A seed is four searches, one of each arm. Their rows are added to the tables as soon as they are there, so that no search is run twice:
 # put the tables in git after every seed.
-trials_on_request seed 10 "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings" 1 searches_of_full_size
+# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
+trials_on_request seed 10 "2 h of two cores" "a search of each arm, its best robots on fine elements, and the best of these with two layers of elements and at other dampings" 1 searches "$study/size.toml" "$results" "$study"
 part_on_request winners "up to 2 h of two cores" "the winners of searches on elements that have not walked on two layers or at other dampings: such a search is made again up to its winner"
 part summary "1 s" "the tests, the effect sizes and the picture of all seeds that there are"
 part_on_request cost "1 min of one idle core" "what a step of a voxel and of an element costs: cost.csv, which the budgets rest on"
@@ -46,16 +47,13 @@ one_search() {
   proof take "$out" "$tables" "$arm" "$seed"
 }
 
-# The searches of a seed that the tables lack.
+# The searches of a seed that the tables lack: size, folder of results, folder of tables, seed.
 searches() {
-  local seed=$1 size=$2 folder=$3 tables=$4 arm
+  local size=$1 folder=$2 tables=$3 seed=$4 arm
   mkdir -p "$folder" "$tables"
   for arm in $(proof missing "$tables" "$seed" "$size"); do one_search "$arm" "$seed" "$size" "$folder" "$tables"; done
   proof summary "$tables"
 }
-
-# shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
-searches_of_full_size() { searches "$1" "$study/size.toml" "$results" "$study"; }
 
 # Searches whose archives are gone are made again, with the same seeds, until they have met the winner that the tables name.
 # shellcheck disable=SC2154  # $results is that of run_experiment.sh
@@ -100,16 +98,16 @@ cost() {
 
 short() {
   local seed
-  for seed in 1 2 3 4 5 6 7 8 9 10; do searches $seed "$study/short_size.toml" "$results/short" "$study/short"; done
+  for seed in 1 2 3 4 5 6 7 8 9 10; do searches "$study/short_size.toml" "$results/short" "$study/short" $seed; done
 }
 
 # Few and short ones, which are reported without a test: there are few such bodies.
 modules() {
   local seed
-  for seed in 1 2 3; do searches $seed "$study/modules_size.toml" "$results/modules" "$study/modules"; done
+  for seed in 1 2 3; do searches "$study/modules_size.toml" "$results/modules" "$study/modules" $seed; done
 }
 
 trial() {
   local seed
-  for seed in 1 2 3; do searches $seed "$study/trial_size.toml" "$results/trial" "$results/trial"; done
+  for seed in 1 2 3; do searches "$study/trial_size.toml" "$results/trial" "$results/trial" $seed; done
 }

@@ -975,7 +975,7 @@ class Heredity(Case):
         mutants, drawn = table_of(self.tree / "paper/heredity/mutants.csv")
         self.assertEqual((mutants["kind"], mutants["robots"], float(mutants["fast"])), ("mutants", "24", float(f"{(6 / 12 + of_second) / 2:.4g}")))
         self.assertEqual((drawn["kind"], drawn["robots"], float(drawn["fast"])), ("drawn at random", "24", float(f"{11 / 12:.4g}")))
-        self.refused("has no ARM-SEED/individuals.csv", "heredity/heredity.py", self.tree)
+        self.refused("has no ARM-SEED/individuals.csv with mutants", "heredity/heredity.py", self.tree)
 
     def test_mutants_of_the_control_change_the_body_or_its_arrangement(self):
         columns = ["individual", "parent", "phenotype"] + [f"level_{level}_d{axis}_m" for level in (1, 2) for axis in "xy"]
@@ -1009,6 +1009,7 @@ class Heredity(Case):
         rows += [[20 + n, n, f"{body_of}|111{arranged[3:]}", 0.03 * way, 0, 0.09 * way, 0] for n, way in enumerate(ways)]
         rows += [[40 + n, n, f"1111{body_of[4:]}|{arranged}", 0.03 * way, 0, 0.09 * (13.0 - way), 0] for n, way in enumerate(ways)]
         self.individuals("control_again-1016", columns, rows)
+        self.individuals("control_again-1017", columns, rows[:12])  # has no mutants yet
         self.done("heredity/heredity.py", self.tree / "found")
         found = {(row["cells_per_side"], row["kind"]): (row["mutants"], float(row["spearman"])) for row in table_of(self.tree / "paper/heredity/inherited.csv")}
         self.assertEqual(found, {("3", "mutants of the body"): ("12", 1.0), ("9", "mutants of the body"): ("12", -1.0), ("9", "mutants of its arrangement alone"): ("12", 1.0)})

@@ -5,7 +5,9 @@ paper_test.py SOURCES: the folder of the sources.
 
 import os
 import pathlib
+import re
 import runpy
+import shlex
 import shutil
 import signal
 import subprocess
@@ -31,10 +33,11 @@ SEARCHES = """# Does it evolve?
 part small "a minute" "a search"
 part seeded "a minute" "another"
 part_on_request forty "an hour" "a trial"
-trials_on_request several 3 "a day" "some of them" 41 search small
+trials few 2 "a day" "some of them" 31 search small
+trials_on_request several 3 "a day" "more of them" 41 search small
 small() { search_with_champion small; }
 seeded() { search small 7; }
-forty() { trial small 3 40; search small 8; }
+forty() { search_at_three_scales small 3 40; search small 8; }
 """
 
 # Writes a table from the number in its study, and ends as that says: an outcome, bad input, or nothing until Ctrl-C.
@@ -242,10 +245,6 @@ class Experiments(PaperTest):
             self.assertIn("error", outcome.stderr)
             self.assertIn("a short walk", outcome.stderr, "what there is")
         self.assertEqual(self.experiment("--check", "one", "long").returncode, 0)
-        self.put("paper/one/experiment.sh", EXPERIMENT.replace("long()", "short()"))
-        outcome = self.experiment("--check", "one", "walk")
-        self.assertEqual(outcome.returncode, 2)
-        self.assertIn("paper/one/experiment.sh: its part long has no function", outcome.stderr)
         self.assertFalse((self.tree / "build/paper").exists())
 
     def test_end_with_an_interrupt(self):
@@ -284,12 +283,30 @@ class Experiments(PaperTest):
 
     def test_trials_are_parts_with_seeds_that_follow_each_other(self):
         self.put_searches()
-        self.assertRegex(self.experiment().stdout, r"several_\{1\.\.3\} +a day +on request: some of them")
+        self.assertRegex(self.experiment().stdout, r"several_\{1\.\.3\} +a day +on request: more of them")
         outcome = self.experiment("evolved", "several_1", "several_3")
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
         self.assertEqual([line.split()[3] for line in self.text("calls").splitlines()], ["41", "43"])
-        for unknown in ("several", "several_0", "several_4"):
-            self.assertEqual(self.experiment("--check", "evolved", unknown).returncode, 2, unknown)
+        for words, seeds in ((["several"], "41 42 43"), (["several_{1..3}", "few_2"], "41 42 43 32"), ([], "2 7 31 32")):
+            (self.tree / "calls").unlink()
+            self.assertEqual(self.experiment("evolved", *words).returncode, 0)
+            made = [re.search("--seed ([0-9]+)", line) for line in self.text("calls").splitlines()]
+            self.assertEqual(" ".join(seed[1] if seed else "2" for seed in made), seeds, words)
+        for unknown in ("several_0", "several_4", "several_{1..4}", "sever"):
+            outcome = self.experiment("--check", "evolved", unknown)
+            self.assertEqual(outcome.returncode, 2, unknown)
+            self.assertIn("more of them", outcome.stderr, "what the experiment has")
+            self.assertNotIn("a short walk", outcome.stderr, "and no other one")
+
+    def test_that_cannot_run_are_refused(self):
+        for wrong, message in (("# Nothing?\n", "names no part"),
+                               (EXPERIMENT.replace("long()", "short()"), "has no function long"),
+                               (EXPERIMENT + 'trials some 2 "a day" "some" 1 serach small\n', "has no function serach"),
+                               ('part menger "a day" "one"\n' + EXPERIMENT, "there is a function menger already; give the part another name")):
+            self.put("paper/one/experiment.sh", wrong)
+            outcome = self.experiment("--check", "one")
+            self.assertEqual(outcome.returncode, 2, message)
+            self.assertIn(f"paper/one/experiment.sh: {message}", outcome.stderr)
 
     def test_champions_are_those_of_one_kind_of_search(self):
         self.put("paper/walked/experiment.sh", (SOURCES / "paper/scale_invariance/experiment.sh").read_text())
@@ -405,6 +422,24 @@ class Tree(unittest.TestCase):
             self.assertIn(f"{file.parent.name}: {file.read_text().splitlines()[0][2:]}", listed)
             checked = subprocess.run([str(SOURCES / "paper/run_experiment.sh"), "--check", file.parent.name], capture_output=True, text=True, check=False)
             self.assertEqual(checked.returncode, 0, checked.stderr)
+
+    def test_seeds_of_trials_are_those_that_the_texts_promise(self):
+        seeds = {}
+        for name in ("fractal", "non_fractal", "heredity", "scale_invariance"):
+            for line in (SOURCES / f"paper/{name}/experiment.sh").read_text().splitlines():
+                if line.startswith("trials"):
+                    _, trials, number, _, _, first, *_ = shlex.split(line)
+                    seeds[name, trials] = set(range(int(first), int(first) + int(number)))
+        self.assertEqual(seeds["fractal", "two_scales"], set(range(1, 11)))
+        self.assertEqual(seeds["non_fractal", "two_scales"], set(range(1001, 1016)))
+        # Trials that begin with the same robots
+        for variant in (("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "single_cells"), ("fractal", "new_mutants"), ("heredity", "nine_cells"),
+                        ("heredity", "nine_cells_single"), ("heredity", "three_cells_single"), ("scale_invariance", "one_scale"), ("scale_invariance", "one_scale_balanced")):
+            self.assertEqual(seeds[variant], seeds["fractal", "two_scales"], variant)
+        self.assertEqual(seeds["non_fractal", "body_mutants"], seeds["non_fractal", "two_scales"])
+        # Trials of whom no two may begin with the same robots
+        apart = [("fractal", "two_scales"), ("fractal", "again"), ("fractal", "random_search"), ("non_fractal", "two_scales"), ("non_fractal", "again"), ("non_fractal", "random_search")]
+        self.assertEqual(len(set().union(*(seeds[one] for one in apart))), sum(len(seeds[one]) for one in apart))
 
     def test_the_table_of_ranks_is_what_its_script_prints(self):
         folder = SOURCES / "paper/fractal"
