@@ -1,21 +1,19 @@
 # What do the differences between the paper's text and its released code do to the ranks of robots?
-part text "10 min of two cores" "500 robots at two scales as the text says"
-part duration "4 min" "the released code does otherwise: 2 s instead of 5 s"
-part phases "10 min" "the released code does otherwise: material 1 lags"
-part released_walks "4 min" "the released code does otherwise: 2 s, its score and its phases"
-part no_drag "10 min" "the text does not mention it: no global damping"
-part free_rotation "10 min" "the text does not mention it: standing voxels may rotate"
-part literal_text "10 min" "neither: the text taken literally"
-part balanced "10 min" "beams whose moments balance their forces, which in text and code they do not"
-part balanced_no_drag "10 min" "balanced, without global damping"
-part balanced_no_drag_half_step "20 min" "the same with half the time step"
-part balanced_half_step "20 min" "balanced, with half the time step"
-part balanced_free_rotation "10 min" "balanced, and standing voxels may rotate"
-part half_step "20 min" "sensitivity: half the time step"
-part no_collisions "8 min" "sensitivity: bodies that go through themselves"
-part_on_request double "20 min" "sensitivity: double precision"
-part_on_request no_drag_half_step "20 min" "sensitivity: no global damping, half the time step"
+# Every variant that has walks of its own: name, minutes, label, and whether it is on request.
+# shellcheck disable=SC2154  # $study is that of run_experiment.sh
+while IFS='|' read -r variant minutes label on_request; do
+  "part${on_request:+_on_request}" "$variant" "$minutes min" "$label"
+  eval "$variant() { walks $variant; }"
+done < <(awk -F ' = ' '
+  function print_variant() { if (name != "" && !shares) print name "|" minutes "|" label "|" on_request }
+  /^\[/ { print_variant(); name = substr($0, 2, length($0) - 2); minutes = 10; label = on_request = ""; shares = 0 }
+  $1 == "label" { label = substr($2, 2, length($2) - 2) }
+  $1 == "cost_min" { minutes = $2 }
+  $1 == "on_request" { on_request = "yes" }
+  $1 == "walks_of" { shares = 1 }
+  END { print_variant() }' "$study/variants.toml")
 part bodies "10 s" "which bodies random networks grow into, in the text and in the released code"
+part in_flight "2 min" "robots without gravity, floor and drag, which nothing but their beams can turn"
 part summary "1 min" "the tables and the picture of all variants that there are"
 
 # shellcheck disable=SC2154  # $study and $results are those of run_experiment.sh
@@ -31,6 +29,24 @@ bodies() {
   "$study/bodies.py" take "$results/bodies"
 }
 
+# Robots that are simulated already are not again.
+in_flight() {
+  local scene name number=0 scenes
+  "$study/in_flight.py" scenes "$results/in_flight"
+  scenes=("$results"/in_flight/*.toml)
+  for scene in "${scenes[@]}"; do
+    number=$((number + 1))
+    name=${scene%.toml}
+    [ $((number % 20)) -ne 0 ] || say "discrepancies: robot in flight $number of ${#scenes[@]}"
+    if ! cmp -s "$scene" "$name/scene.toml"; then
+      rm -rf "$name"
+      menger simulate "$scene" --output "$name" >/dev/null
+      cp "$scene" "$name/scene.toml"
+    fi
+  done
+  "$study/in_flight.py" take "$results/in_flight"
+}
+
 summary() { "$study/discrepancies.py" summary; }
 
 # The walks of a variant, if they are not there already: a clone has those of most. To make them anew, remove walks/NAME.csv.
@@ -44,7 +60,3 @@ walks() {
   menger export "$results/$1.sqlite" --output "$results/$1" --individuals --levels 1 --no-frames --no-pictures
   "$study/discrepancies.py" take "$results/$1/individuals.csv" "$1"
 }
-
-for variant in text duration phases released_walks no_drag free_rotation literal_text balanced balanced_no_drag balanced_no_drag_half_step balanced_half_step balanced_free_rotation half_step no_collisions double no_drag_half_step; do
-  eval "$variant() { walks $variant; }"
-done

@@ -20,13 +20,16 @@ which every mutant has another body, as mutants of fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
 otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
-trials.svg shows the paper's experiment, its control and random search; variants.svg the arms that change one thing in one of these, beside it.
+trials.svg shows the paper's experiment, its control and random search; variants.svg each arm that changes one thing in one of these, against
+it.
 Exit codes: 0 done, 2 wrong input.
 """
 
 import pathlib
 import sys
 from dataclasses import dataclass, replace
+from itertools import groupby
+from textwrap import fill
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -56,27 +59,27 @@ class Arm:
         return self.planned in (None, (len(trials), generation))
 
     def longer(self):
-        dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1)), (0, (4, 1)): (0, (4, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
+        dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
         return replace(self, planned=None, label=f"{self.label}, longer", dashes=dashes, mark={"o": "x", "s": "+"}.get(self.mark, "*"))
 
 
 NON_FRACTAL = HERE.parent / "non_fractal"
 ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
-        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "--", "v", is_variant=True),
-        "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", (0, (4, 1)), "P", is_variant=True),
-        "single_cells": Arm(HERE / "single_cells", "single cells mutate", "#661100", (0, (2, 1, 6, 1)), "h", is_variant=True),
-        "new_mutants": Arm(HERE / "new_mutants", "fractal, none twice", "#117733", (0, (1, 1, 5, 1)), "*", is_variant=True),
+        "in_pieces": Arm(HERE / "two_scales_in_pieces", "fractal, may fall apart", "#56B4E9", "-", "v", is_variant=True),
+        "balanced": Arm(HERE / "two_scales_balanced", "balanced beams", "#E69F00", "-", "P", is_variant=True),
+        "single_cells": Arm(HERE / "single_cells", "single cells mutate", "#661100", "-", "h", is_variant=True),
+        "new_mutants": Arm(HERE / "new_mutants", "fractal, none twice", "#117733", "-", "*", is_variant=True),
         "random_search": Arm(HERE / "random_search", "random search", "#777777", (0, (1, 1.5)), "X"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
-        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", (0, (2, 1)), "p", is_fractal=False, is_variant=True),
-        "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", (0, (6, 1, 1, 1)), "d", is_fractal=False, is_variant=True),
-        "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", (0, (7, 1)), "<", is_variant=True, planned=(15, 60)),
-        "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", (0, (7, 1, 1, 1)), ">", is_fractal=False, is_variant=True, planned=(15, 60)),
-        "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", ":", "D"),
+        "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", "-", "p", is_fractal=False, is_variant=True),
+        "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", "-", "d", is_fractal=False, is_variant=True),
+        "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", "-", "<", is_variant=True, planned=(15, 60)),
+        "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", "-", ">", is_fractal=False, is_variant=True, planned=(15, 60)),
+        "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", "--", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
-SCALE_STYLES = {1: ("#882255", "-"), 2: ("#117733", "--"), 3: ("#332288", ":")}  # no colours of arms
+SCALE_STYLES = {1: ("#B79FCB", "-", 3.2), 2: ("#762A83", "--", 1.6), 3: ("#000000", ":", 1.9)}  # no colours of arms; all show where they are on each other
 COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("single_cells", "fractal"), ("single_cells", "random_search"),
                ("new_mutants", "fractal"), ("new_mutants", "random_search"), ("new_mutants", "non_fractal"),
@@ -182,8 +185,19 @@ def statistics(arms):
                     | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1, arm), "p_scales": signed_rank(smaller, larger),
                        "p_scales_rank_sum": rank_sum(smaller, larger),
                        # Of the best robots of all generations of all trials
-                       "largest_is_slowest_generations": int(sum(slowest)), "all_generations": sum(len(trial.best) for trial in trials)} | dimensions_of(arm, trials))
+                       "largest_is_slowest_generations": int(sum(slowest)), "all_generations": sum(len(trial.best) for trial in trials)}
+                    | leads_of(trials, levels) | dimensions_of(arm, trials))
     return rows
+
+
+def leads_of(trials, levels):
+    """How many best robots trials had one after another, which differ in some speed, and how many of these are slowest at the largest scale. Of
+    the one that led longest: for how many generations, and by what part of its speed at the slowest other scale it is slower at the largest."""
+    leads = [(speeds, len(list(generations))) for trial in trials
+             for speeds, generations in groupby(zip(*(trial.speeds[level].tolist() for level in levels))) if not np.isnan(speeds).any()]
+    behind = [1.0 - speeds[-1] / min(speeds[:-1]) if min(speeds[:-1]) > 0.0 else -np.inf for speeds, _ in leads]
+    longest, margin = max(((generations, one) for (_, generations), one in zip(leads, behind)), default=(None, None))
+    return {"best_robots": len(leads), "largest_is_slowest_robots": sum(one > 0.0 for one in behind), "longest_lead": longest, "longest_lead_margin": margin}
 
 
 def tested(one, other, ends):
@@ -244,25 +258,38 @@ def at_equal_evaluations(arms):
     return rows
 
 
-def draw_mean(panel, curves, colour, dashes, label, places=None):
+def draw_mean(panel, curves, colour, dashes, label, places=None, width=1.5):
     """The mean of curves with its 95 % interval, which one curve has not, at the places that all of them have; or else at their generations."""
     curves = np.array(curves)
     there = np.flatnonzero(~np.isnan(curves).any(axis=0))
     generations = there if places is None else places[there]
     curves = curves[:, there]
-    panel.plot(generations, curves.mean(axis=0), linestyle=dashes, color=colour, label=label)
+    panel.plot(generations, curves.mean(axis=0), linestyle=dashes, linewidth=width, color=colour, label=label)
     if len(curves) > 1:
         spans = [mean(column) for column in curves.T]
         low, high = ([end if end is not None else span.value for span in spans for end in [getattr(span, side)]] for side in ("low", "high"))
         panel.fill_between(generations, low, high, color=colour, alpha=0.2, linewidth=0)
 
 
+def labelled(name, trials):
+    return f"{DRAWN[name].label} (n = {len(trials)})"
+
+
 def draw_fitness(panel, arms):
-    for arm, trials in arms.items():
-        drawn = DRAWN[arm]
-        draw_mean(panel, [trial.best for trial in trials], drawn.colour, drawn.dashes, f"{drawn.label} (n = {len(trials)})")
+    for name, trials in arms.items():
+        draw_mean(panel, [trial.best for trial in trials], DRAWN[name].colour, DRAWN[name].dashes, labelled(name, trials))
     panel.set(xlabel="generation", ylabel="fitness, mean over trials\n(body lengths per minute)", ylim=(0, None))
     panel.legend(loc="upper center", bbox_to_anchor=(0.45, -0.28), ncols=2)
+
+
+def draw_against(panel, arms, name):
+    """The fitness of a variant, as long as it goes, and in grey that of the trials in which it changes something."""
+    reference = "fractal" if DRAWN[name].is_fractal else "non_fractal"
+    if reference in arms:
+        draw_mean(panel, [trial.best for trial in arms[reference]], "#777777", "-", labelled(reference, arms[reference]))
+        panel.legend(loc="lower right", handlelength=1.2)
+    draw_mean(panel, [trial.best for trial in arms[name]], DRAWN[name].colour, "-", None)
+    panel.set(xlabel="generation", xlim=(0, max(1, len(arms[name][0].best) - 1)), ylim=(0, None))
 
 
 def draw_ends(panel, arms):
@@ -273,32 +300,31 @@ def draw_ends(panel, arms):
         panel.plot([np.median(ends)] * 2, [place - 0.4, place + 0.4], color="#222222", linewidth=1.2)
     highest = max(trial.best[-1] for trials in arms.values() for trial in trials)
     panel.set(xlabel="fitness at the end (body lengths per minute)", xlim=(0, 1.05 * highest), ylim=(len(arms) - 0.4, -0.6))
-    panel.set_yticks(range(len(arms)), [f"{DRAWN[arm].label}\n({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
+    panel.set_yticks(range(len(arms)), [f"{DRAWN[arm].label} ({len(trials[0].best) - 1} generations)" for arm, trials in arms.items()])
 
 
 def draw_scales(panel, trials):
     for level in trials[0].speeds:
-        draw_mean(panel, [trial.speeds[level] for trial in trials], *SCALE_STYLES[level], f"{3 ** level} cells")  # per side
+        colour, dashes, width = SCALE_STYLES[level]
+        draw_mean(panel, [trial.speeds[level] for trial in trials], colour, dashes, f"{3 ** level} cells", width=width)  # per side
     panel.set_xlabel("generation")
-    panel.legend(loc="upper center", ncols=3, handlelength=1.4, columnspacing=0.7, borderpad=0.3)
+    panel.legend(loc="upper center", ncols=3, handlelength=1.6, columnspacing=0.7, borderpad=0.3)
 
 
 def draw_dimensions(panel, trials):
     """A line of steps for each trial, a hair beside those with the same cells, and a point for each at the end."""
     from matplotlib.ticker import MaxNLocator  # only where a figure is drawn, as pyplot
 
-    colours = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
     panel.axhspan(2.5, 2.7, color="#F0E442", alpha=0.3, linewidth=0)
     panel.axhline(2.0, color="#222222", linestyle="--", linewidth=1)
     last = max(1, len(trials[0].dimension) - 1)
     taken = {}
     for place, trial in enumerate(trials):
-        style = {"color": colours[place % len(colours)]}
         shifted = trial.dimension + 0.005 * (place - (len(trials) - 1) / 2)
-        panel.step(range(len(shifted)), shifted, where="post", linewidth=1, linestyle=("-", "--", "-.", ":")[place % 4], **style)
+        panel.step(range(len(shifted)), shifted, where="post", linewidth=0.9, color="#444444")
         end = round(float(trial.dimension[-1]), 6)
         taken[end] = taken.get(end, 0) + 1
-        panel.plot([last * (1.01 + 0.02 * taken[end])], [end], "o", markersize=3.5, **style)
+        panel.plot([last * (1.01 + 0.02 * taken[end])], [end], "o", markersize=3.5, color="#444444")
     labels = last * (1.03 + 0.02 * max(taken.values()))
     for height, text in ((2.6, "2.5 to 2.7"), (2.0, "H = 2 (plane)")):
         panel.annotate(text, (labels, height + 0.01), va="bottom" if height == 2.0 else "center")
@@ -318,50 +344,59 @@ def finish(figure, panels, name):
     write_svg(figure, HERE / f"{name}.svg")
 
 
+def parts(pyplot, heights):
+    """A figure in parts of these heights in inches, one below the other, whose panels need not stand flush."""
+    figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
+    return figure, figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
+
+
+def small_panels(part, count, columns):
+    """Panels in rows, with one y axis."""
+    panels = part.subplots(-(-count // columns), columns, sharey=True, squeeze=False).flat
+    for panel in panels[count:]:
+        panel.remove()
+    return panels[:count]
+
+
+def ends_of(part, arms):
+    """The panel with the last fitness of every trial, and its title."""
+    panel = part.subplots()
+    draw_ends(panel, arms)
+    return panel, "every trial at the end (line: median)"
+
+
 def height_of_ends(arms):
-    return 0.6 + 0.34 * len(arms)
+    return 0.7 + 0.22 * len(arms)
 
 
 def draw_trials(pyplot, arms):
     """Fitness over generations and at the end, the scales apart, and the dimension."""
     longest = [f"{name}_longer" if f"{name}_longer" in arms else name for name in ARMS if name in arms]
     with_dimension = next((arm for arm in longest if DRAWN[arm].is_fractal), None)
-    rows = -(-len(longest) // 2)
-    heights = [1.9, height_of_ends(arms), *[1.9] * rows, *[2.3] * bool(with_dimension)]
-    figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
-    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
-    panels = [(figure.add_subplot(grid[0, :]), "best robot"), (figure.add_subplot(grid[1, :]), "every trial at the end (line: median)")]
+    figure, (fitness, ends, scales, *dimension) = parts(pyplot, [2.3, height_of_ends(arms), 1.55 * -(-len(longest) // 2), *[2.0] * bool(with_dimension)])
+    panels = [(fitness.subplots(), "best robot"), ends_of(ends, arms)]
     draw_fitness(panels[0][0], arms)
-    draw_ends(panels[1][0], arms)
-    for place, arm in enumerate(longest):
-        panel = figure.add_subplot(grid[2 + place // 2, place % 2])
-        panels.append((panel, f"{DRAWN[arm].label} (n = {len(arms[arm])})"))
+    for panel, arm in zip(small_panels(scales, len(longest), 2), longest):
+        panels.append((panel, labelled(arm, arms[arm])))
         draw_scales(panel, arms[arm])
-        if place % 2 == 0:
-            panel.set_ylabel("speed of the best robot\n(body lengths per minute)")
-    highest = max((panel.get_ylim()[1] for panel, _ in panels[2:]), default=1.0)
-    for panel, _ in panels[2:]:
-        panel.set_ylim(0, 1.2 * highest)  # with room for the legend
+    panel.set_ylim(0, 1.2 * panel.get_ylim()[1])  # with room for the legend
+    scales.supylabel("speed of the best robot\n(body lengths per minute)", fontsize="medium", multialignment="center")
     if with_dimension:
-        panels.append((figure.add_subplot(grid[-1, :]), f"dimension, {DRAWN[with_dimension].label}"))
+        panels.append((dimension[0].subplots(), f"dimension, {DRAWN[with_dimension].label}"))
         draw_dimensions(panels[-1][0], arms[with_dimension])
     finish(figure, panels, "trials")
 
 
 def draw_variants(pyplot, arms):
-    """Fitness over generations of fractals and of the control, each with its variants, and all at the end."""
-    kinds = {"fractals": {name: arm for name, arm in arms.items() if DRAWN[name].is_fractal},
-             "the control": {name: arm for name, arm in arms.items() if not DRAWN[name].is_fractal}}
-    kinds = {title: of_kind for title, of_kind in kinds.items() if of_kind}
-    heights = [*[2.4] * len(kinds), height_of_ends(arms)]
-    figure = pyplot.figure(figsize=(6.5, sum(heights)), layout="constrained")
-    grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
-    panels = [(figure.add_subplot(grid[row]), f"best robot, {title}") for row, title in enumerate(kinds)]
-    for (panel, _), of_kind in zip(panels, kinds.values()):
-        draw_fitness(panel, of_kind)
-    panels.append((figure.add_subplot(grid[-1]), "every trial at the end (line: median)"))
-    draw_ends(panels[-1][0], arms)
-    finish(figure, panels, "variants")
+    """A small panel for each variant, and every trial at the end."""
+    variants = [name for name in arms if DRAWN[name].is_variant]
+    figure, (fitness, ends) = parts(pyplot, [1.75 * -(-len(variants) // 3), height_of_ends(arms)])
+    panels = []
+    for panel, name in zip(small_panels(fitness, len(variants), 3), variants):
+        panels.append((panel, f"{fill(DRAWN[name].label, 24)}\n(n = {len(arms[name])})"))
+        draw_against(panel, arms, name)
+    fitness.supylabel("fitness, mean over trials\n(body lengths per minute)", fontsize="medium", multialignment="center")
+    finish(figure, [*panels, ends_of(ends, arms)], "variants")
 
 
 def draw(arms):

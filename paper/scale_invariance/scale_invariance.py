@@ -5,7 +5,8 @@ scale_invariance.py random INDIVIDUALS.csv           puts the random robots into
 scale_invariance.py random_balanced INDIVIDUALS.csv  the same of random robots with beams whose moments balance their forces
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
 scale_invariance.py summary                          makes statistics.csv, slowest.csv, comparisons.csv, thresholds.csv, dimension.csv,
-                                                     dimension_tests.csv and scale_invariance.svg
+                                                     dimension_tests.csv, scale_invariance.svg (each robot) and carried_over.svg (shares of
+                                                     robots)
 
 changed_walks.py has the walks of champions with something changed.
 
@@ -17,6 +18,7 @@ two smallest levels, as selection at two scales sees them. Exit codes: 0 done, 2
 
 import pathlib
 import sys
+from itertools import zip_longest
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -313,7 +315,6 @@ def thresholds(every):
     return made
 
 
-FEWEST_DRAWN = 5  # robots of a group or a dimension, fewer of which tell nothing in a picture of shares
 BINS = ((1.0, 1.8), (1.8, 2.2), (2.2, 2.5), (2.5, 2.8), (2.8, 3.01))
 
 
@@ -364,72 +365,98 @@ def summary():
     draw(every, rows, dimensions)
 
 
+FEWEST_OF_GROUP, FEWEST_OF_DIMENSION = 9, 5  # robots, fewer of which tell nothing in a picture of shares
+SIMULATORS = {"random": "paper's simulator", "random_balanced": "balanced beams"}  # of the families
 STYLES = (("#666666", ".", 12), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
+LOWEST_FACTOR, HIGHEST_FACTOR = 1e-3, 20.0  # who nearly stops at 9 cells is drawn at the lowest; a higher one raises the limit to a power of ten
 
 
 def draw_robots(panel, every, family):
-    """Angle and factor of every robot of a family from 3 to 9 cells. Returns the largest factor up or down."""
-    reach = 1.0
+    """Angle and factor of every robot of a family from 3 to 9 cells. Returns how many robots each style shows, and the largest factor."""
+    counts, highest = [], 0.0
     for group, (colour, mark, size) in zip((family, *FAMILIES[family]), STYLES):
-        lower_m, upper_m = moving(every.get(group, []), 1, 2)
-        if not len(lower_m):
-            continue
-        angle, factor = angle_and_factor(lower_m, upper_m)
-        factor = np.maximum(factor, 1e-3)  # who nearly stops at 9 cells is drawn here
-        reach = max(reach, factor.max(), 1.0 / factor.min())
-        label = GROUPS[group].removesuffix(f" {BALANCED}")  # which the title of the panel says
-        panel.scatter(angle, factor, c=colour, marker=mark, s=size, label=f"{label} (n = {len(angle)})", zorder=2 if group == family else 3,
+        angle, factor = angle_and_factor(*moving(every.get(group, []), 1, 2))
+        panel.scatter(angle, np.maximum(factor, LOWEST_FACTOR), c=colour, marker=mark, s=size, zorder=2 if group == family else 3,
                       edgecolors="none" if group == family else "white", linewidths=0.5, clip_on=False)
+        counts.append(len(angle))
+        highest = max([highest, *factor])
     low, high = 1.0 / LARGEST_FACTOR, LARGEST_FACTOR
-    panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1)
-    panel.annotate("carries over", (LARGEST_ANGLE_DEG - 1, high * 1.1), ha="right", va="bottom")
-    panel.set(yscale="log", xlim=(-3, 183), xticks=range(0, 181, 45), xlabel="angle between the ways at 3 and 9 cells (degrees)",
-              ylabel="speed in body lengths at 9 cells\nper side over that at 3 (ratio)")
-    panel.legend(loc="upper left", bbox_to_anchor=(0.0, 1.0), framealpha=0.9)
-    return reach
+    panel.plot([0, LARGEST_ANGLE_DEG, LARGEST_ANGLE_DEG, 0], [low, low, high, high], "--", color="#222222", linewidth=1.2)
+    panel.set(yscale="log", xlim=(-3, 183), xticks=range(0, 181, 45), xlabel="angle between the ways\nat 3 and 9 cells (degrees)")
+    return counts, highest
 
 
-def draw_shares(panel, rows, names, positions):
-    """Three shares of each row with intervals, and a cross for what chance gives."""
+def legend_below(figure, height, columns, handles, labels):
+    """A legend of all panels, on the lowest inches of the figure."""
+    share_of_height = height / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0.0, share_of_height, 1.0, 1.0 - share_of_height))
+    figure.legend(handles, labels, loc="lower center", ncols=columns)
+
+
+def draw_all_robots(pyplot, every):
+    """A panel for each family, and one legend, which says how many robots of each group the panels show."""
+    families = [family for family in FAMILIES if family in every]
+    if not families:
+        return
+    figure, axes = pyplot.subplots(1, len(families), figsize=(6.5, 3.6), layout="constrained", sharey=True, squeeze=False)
+    panels = axes[0]
+    counts, highest = zip(*(draw_robots(panel, every, family) for panel, family in zip(panels, families)))
+    top = max(highest)
+    panels[0].set(ylim=(0.8 * LOWEST_FACTOR, HIGHEST_FACTOR if top <= HIGHEST_FACTOR else 10.0 ** np.ceil(np.log10(top))), ylabel="speed in body lengths at 9 cells\nper side over that at 3 (ratio)")
+    letter_panels(zip(panels, (SIMULATORS[family] for family in families)))
+    labels = [f"{GROUPS[group]} (n = {' and '.join(map(str, of_group))})" for group, of_group in zip(("random", *EVOLVED), zip_longest(*counts, fillvalue=0))]
+    legend_below(figure, 0.6, 2, [*panels[0].collections, *panels[0].lines], [*labels, "in the box: carries over"])
+    settle(figure)
+    write_svg(figure, HERE / "scale_invariance.svg")
+
+
+def draw_shares(panel, rows, names):
+    """Three shares of each row with intervals, and a black tick behind each for what chance gives."""
     styles = {"carried_over": ("#0072B2", "o", "both: carries over"), "same_way": ("#D55E00", "D", "the same way"), "like_speed": ("#009E73", "s", "half to twice as fast")}
     chance_of = {"carried_over": "by_chance", "same_way": "same_way_by_chance", "like_speed": "like_speed_by_chance"}
-    for shift, (name, (colour, mark, label)) in zip((-0.22, 0.0, 0.22), styles.items()):
-        values = [float(row[name]) for row in rows]
-        spans = [[value - float(row[f"{name}_low"]) for value, row in zip(values, rows)], [float(row[f"{name}_high"]) - value for value, row in zip(values, rows)]]
-        places = [place + shift for place in positions]
-        panel.errorbar(values, places, xerr=spans, fmt=mark, color=colour, capsize=2, markersize=4, linewidth=1, label=label)
-        chance = [(float(row[chance_of[name]]), place) for row, place in zip(rows, places) if row[chance_of[name]] != ""]
-        if chance:
-            panel.scatter(*zip(*chance), marker="x", s=16, linewidths=1, color="#222222", zorder=4, label="by chance" if name == "like_speed" else None)
-    panel.set_yticks(positions, names)
-    panel.set(xlim=(-0.02, 1.02), ylim=(max(positions) + 0.6, min(positions) - 0.6), xlabel="share of robots, with 95 % interval")
+    for shift, (name, (colour, mark, label)) in zip((-0.28, 0.0, 0.28), styles.items()):
+        values, low, high = (np.array([100.0 * float(row[f"{name}{end}"]) for row in rows]) for end in ("", "_low", "_high"))
+        places = np.arange(len(rows)) + shift
+        panel.errorbar(values, places, xerr=(values - low, high - values), fmt=mark, color=colour, markersize=3.2, linewidth=1.2, label=label)
+        panel.scatter([100.0 * float(row[chance_of[name]]) for row in rows], places, marker="|", s=60, linewidths=1.1, color="black", zorder=1.5,
+                      label="by chance" if name == "like_speed" else None)
+    for place in range(0, len(rows), 2):
+        panel.axhspan(place - 0.5, place + 0.5, color="#f2f2f2", zorder=0)
+    panel.set_yticks(range(len(rows)), names)
+    panel.set(xlim=(-2, 102), ylim=(len(rows) - 0.5, -0.5))
+
+
+def draw_all_shares(pyplot, rows, dimensions):
+    """Panels of the groups of each family and of the dimensions, with one legend."""
+    panels = []
+    for family, evolved in FAMILIES.items():
+        shown = [row for row in rows if row["group"] in {family, *evolved, *(f"{family}_{count}" for count in FASTEST)} and int(row["robots"]) >= FEWEST_OF_GROUP]
+        names = [row["label"].removesuffix(f" {BALANCED}").removeprefix("the ").replace("random robots", "random") for row in shown]
+        panels.append((shown, names, f"same at the next scale, {SIMULATORS[family]}"))
+    shown = [row for row in dimensions if int(row["robots"]) >= FEWEST_OF_DIMENSION]
+    panels.append((shown, [f"H from {row['dimension_from']} to {row['dimension_to']}" for row in shown], f"random robots by dimension H, {SIMULATORS['random']}"))
+    panels = [panel for panel in panels if panel[0]]
+    if not panels:
+        return
+    heights = [0.3 + 0.25 * len(shown) for shown, _, _ in panels]
+    figure, axes = pyplot.subplots(len(panels), 1, figsize=(6.5, 0.7 + sum(heights)), layout="constrained", height_ratios=heights, sharex=True, squeeze=False)
+    axes = axes[:, 0]
+    letter_panels(zip(axes, (title for _, _, title in panels)))
+    for axis, (shown, names, _) in zip(axes, panels):
+        axis.grid(visible=False, axis="y")
+        draw_shares(axis, shown, [f"{name}, {row['cells']} cells (n = {row['robots']})" for name, row in zip(names, shown)])
+    axes[-1].set_xlabel("share of robots with 95 % interval (%)")
+    legend_below(figure, 0.3, 4, *axes[-1].get_legend_handles_labels())
+    settle(figure)
+    write_svg(figure, HERE / "carried_over.svg")
 
 
 def draw(every, rows, dimensions):
-    """Angle and factor of every robot, and the shares by group and by dimension; readable where it is printed 6.5 inches wide."""
+    """Angle and factor of every robot, and the shares by group and by dimension; readable where they are printed 6.5 inches wide."""
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
-    dimensions = [row for row in dimensions if int(row["robots"]) >= FEWEST_DRAWN]
-    simulators = {"random": "paper's simulator", "random_balanced": "balanced beams"}
-    clouds = [family for family in FAMILIES if family in every]
-    of_family = {family: {family, *evolved, *(f"{family}_{count}" for count in FASTEST)} for family, evolved in FAMILIES.items()}
-    shares = [([row for row in rows if row["group"] in of_family[family] and int(row["robots"]) >= FEWEST_DRAWN], f"how many do the same at the next scale, {name}")
-              for family, name in simulators.items()] + [(dimensions, "random robots by their Hausdorff dimension H, paper's simulator")]
-    shares = [(members, title) for members, title in shares if members]
-    heights = [*[2.9] * len(clouds), *(0.9 + 0.36 * len(members) for members, _ in shares)]
-    figure, axes = pyplot.subplots(len(heights), 1, figsize=(6.5, sum(heights)), layout="constrained", height_ratios=heights, squeeze=False)
-    panels = list(axes[:, 0])
-    reach = max((draw_robots(panel, every, family) for panel, family in zip(panels, clouds)), default=1.0)
-    for panel in panels[: len(clouds)]:
-        panel.set_ylim(0.7 / reach, 1.4 * reach)
-    for panel, height, (members, _) in zip(panels[len(clouds):], heights[len(clouds):], shares):
-        names = [f"H from {row['dimension_from']} to {row['dimension_to']}" if members is dimensions else row["label"].removesuffix(f" {BALANCED}") for row in members]
-        draw_shares(panel, members, [f"{name},\n{row['cells']} cells (n = {row['robots']})" for name, row in zip(names, members)], range(len(members)))
-        panel.legend(loc="upper center", bbox_to_anchor=(0.3, -0.5 / height), ncols=4)
-    titles = [*(f"robots from 3 to 9 cells per side, {simulators[family]}" for family in clouds), *(title for _, title in shares)]
-    letter_panels(zip(panels, titles))
-    settle(figure)
-    write_svg(figure, HERE / "scale_invariance.svg")
+    draw_all_robots(pyplot, every)
+    draw_all_shares(pyplot, rows, dimensions)
 
 
 def main(arguments):

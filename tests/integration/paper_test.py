@@ -325,6 +325,7 @@ class Experiments(PaperTest):
 
     def test_walks_that_are_there_are_not_made_anew(self):
         self.put("paper/walked/experiment.sh", (SOURCES / "paper/discrepancies/experiment.sh").read_text())
+        self.put("paper/walked/variants.toml", (SOURCES / "paper/discrepancies/variants.toml").read_text())
         self.put("paper/walked/discrepancies.py", '#!/bin/sh\necho "$*" >>calls\n', executable=True)
         self.put("paper/walked/walks/text.csv", "individual\n1\n")
         outcome = self.experiment("walked", "text", "half_step", "summary")
