@@ -5,7 +5,7 @@ trials three_cells_single 10 "1 min" "40 generations of one_scale, of the same s
 trials nine_cells 10 "3 min of two cores" "a search at the scale of 9 cells alone, 20 generations" 1 search nine_cells
 trials nine_cells_random 10 "4 min of two cores" "as many robots, but 14, all drawn at random" 2001 search nine_cells_random
 trials_on_request nine_cells_single 10 "3 min of two cores" "nine_cells, of the same seed, with mutants that differ from their parents in one cell at most" 1 search nine_cells_single
-part made_up "3 min" "searches of robots that are made up, by what mutants inherit"
+part made_up "4 min" "searches of robots that are made up, by what mutants inherit"
 part heredity "1 min" "what mutants inherit, of the trials here and of other experiments whose archives are there"
 part summary "1 min" "evolution against random search at each scale: the table and the picture of all searches that there are"
 

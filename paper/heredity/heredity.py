@@ -12,7 +12,7 @@ repeats.csv    for each arm: the share of mutants that are robots which the sear
                so far
 
 Mutants of the control, whose larger scale evolves apart, are of two kinds: those that change the body and those that change its arrangement
-alone, which go as fast at 3 cells as their parents. heredity.csv leaves its trials out.
+alone, which go as fast at 3 cells as their parents. inherited.csv tells those of the body apart, too, by whether the arrangement changes. heredity.csv leaves its trials out.
 In trials at two scales the larger one walks only where selection needs it: such mutants are fast at the smaller one, be it of their own or
 because they kept the body of a fast parent. Only trials with ten such mutants count.
 Exit codes: 0 done, 2 wrong input.
@@ -59,6 +59,7 @@ class Trial:
         self.is_fractal = all("|" not in row["phenotype"] for row in rows)
         self.speeds = {level: (speeds_of(self.parents, level), speeds_of(self.mutants, level)) for level in LEVELS}
         self.kinds = self.which_mutants()
+        self.kinds_that_inherit = self.kinds if self.is_fractal else self.kinds | self.which_of_the_body()
         self.repeats, self.repeats_of_best = self.which_repeat(rows)
 
     @staticmethod
@@ -87,6 +88,12 @@ class Trial:
             return {"mutants": np.full(len(self.mutants), True)}
         of_body = np.array([parts[0] > 0 for parts in self.changed], dtype=bool)
         return {"mutants of the body": of_body, ARRANGEMENT_ALONE: ~of_body & (self.cells_changed > 0)}
+
+    def which_of_the_body(self):
+        """Those of the body that keep its arrangement, and those that change both."""
+        arrangement_kept = np.array([parts[1] == 0 for parts in self.changed], dtype=bool)
+        of_body = self.kinds["mutants of the body"]
+        return {"mutants of the body alone": of_body & arrangement_kept, "mutants of both": of_body & ~arrangement_kept}
 
     def heredity(self, level, which):
         """Of some of the mutants: the correlation, the share that keeps half of the speed and the share that is faster; or nothing where there
@@ -119,9 +126,9 @@ def heredity(arm, trials):
 
 
 def inherited(arm, trials):
-    for kind in trials[0].kinds:
+    for kind in trials[0].kinds_that_inherit:
         for level in LEVELS[1:] if kind == ARRANGEMENT_ALONE else LEVELS:
-            if row := kept_speed(trials, level, lambda trial: trial.kinds[kind] & (trial.cells_changed > 0)):
+            if row := kept_speed(trials, level, lambda trial: trial.kinds_that_inherit[kind] & (trial.cells_changed > 0)):
                 yield {"arm": arm, "cells_per_side": 3**level, "kind": kind} | row
 
 

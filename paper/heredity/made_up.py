@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""How far evolution gets ahead of random search, and a control ahead of fractals, where mutants inherit a given part of their parents' speed:
+"""How far evolution gets ahead of random search, and of a control, where mutants inherit a given part of their parents' speed:
 made_up.csv and made_up_two_scales.csv.
 
-made_up.py    makes searches of robots that are made up, with the paper's selection: 400 of each kind, in 3 minutes
+made_up.py    makes searches of robots that are made up, with the paper's selection: 400 of each kind, in 4 minutes
 
 A robot here is a number, its speed. At random it is drawn from the normal distribution. A mutant of a robot z has h z + sqrt(1 - h^2) e, with e
 drawn from the same distribution: h = 0 inherits nothing, h = 1 all, and without selection robots at one scale stay spread as they were. Selection asks who
@@ -16,9 +16,10 @@ made_up.csv             for each h and some generations: Spearman's correlation 
                         evolved search is ahead of a random one, exactly for all of these
 made_up_two_scales.csv  robots have two numbers, which are correlated as the speeds of random robots at two scales are, and the smaller one is
                         the fitness. Mutants of fractals change both. Of the control's, 38 % change the second one alone, as in its trials
-                        (mutants.csv). h are such that correlations are those of trials in_pieces and single_cells (inherited.csv), though
-                        at the second scale real ones are only of mutants that are fast at the first. How often fractals are ahead of
-                        random search, and the control of fractals
+                        (mutants.csv). h are such that correlations are those of trials (inherited.csv), though at the second scale real
+                        ones are only of mutants that are fast at the first. How often fractals are ahead of random search, and of the
+                        control: where both inherit as in trials in_pieces, or as in single_cells; and where each inherits as in trials
+                        fractal_again and control_again, and repeats robots as often (repeats.csv). A repeat is a copy of the parent
 """
 
 import pathlib
@@ -37,10 +38,9 @@ from small_tables import InputError, cell, run_script, write_table  # noqa: E402
 SURVIVORS = 15
 ROBOTS = SURVIVORS + 1  # of a generation: a mutant of each survivor, and one that is drawn at random
 SEARCHES = 400
-GENERATIONS = (10, 20, 40, 140)  # after which searches are compared
+GENERATIONS = (10, 20, 40, 60, 140)  # after which searches are compared
 SEED = 1
 HEREDITIES = np.arange(9) / 10
-TWO_HEREDITIES = {"as in the paper": (0.25, 0.45), "one cell at most": (0.4, 0.7)}  # of mutants
 SCALES_CORRELATION = 0.37  # of speeds at 3 and 9 cells per side, of the 500 robots of ../discrepancies/walks/text.csv; Spearman's is 0.36
 SECOND_ALONE = 0.38  # of the control's mutants
 
@@ -78,12 +78,21 @@ def robots_of(generation):
     return SURVIVORS + ROBOTS * generation
 
 
+def inherit(heredity, parents, drawn):
+    return heredity * parents + np.sqrt(1.0 - heredity**2) * drawn
+
+
 class Robots:
     """How robots are drawn, and what their mutants inherit, at one scale or at two."""
 
-    def __init__(self, heredities, second_alone=0.0):
+    def __init__(self, heredities, second_alone=0.0, heredity_alone=None, repeats=0.0):
+        """@param second_alone share of mutants that change the second number alone
+        @param heredity_alone what these inherit of it, if not as much as others
+        @param repeats share of mutants that are no new robots"""
         self.heredities = np.array(heredities)
         self.second_alone = second_alone
+        self.heredity_alone = self.heredities[-1] if heredity_alone is None else heredity_alone
+        self.repeats = repeats
 
     def draw(self, count, random):
         speeds = random.standard_normal((count, len(self.heredities)))
@@ -92,10 +101,15 @@ class Robots:
         return speeds
 
     def mutants(self, parents, random):
-        children = self.heredities * parents + np.sqrt(1.0 - self.heredities**2) * self.draw(len(parents), random)
+        drawn = self.draw(len(parents), random)
+        children = inherit(self.heredities, parents, drawn)
         if self.second_alone:
-            keeps_first = random.random(len(parents)) < self.second_alone
-            children[keeps_first, 0] = parents[keeps_first, 0]
+            alone = random.random(len(parents)) < self.second_alone
+            children[alone, 0] = parents[alone, 0]
+            children[alone, 1] = inherit(self.heredity_alone, parents[alone, 1], drawn[alone, 1])
+        if self.repeats:
+            repeats = random.random(len(parents)) < self.repeats
+            children[repeats] = parents[repeats]
         return children
 
 
@@ -124,10 +138,14 @@ class Searches:
         found = [search(robots, generations, random) for _ in range(searches)]
         self.best, self.parents, self.mutants = (np.array(part) for part in zip(*found))
 
-    def spearman(self, generation, scale):
-        """Of the mutants up to a generation, mean over searches."""
-        until = slice(0, generation)
-        return mean([rank_correlation(before[until, :, scale].ravel(), after[until, :, scale].ravel()) for before, after in zip(self.parents, self.mutants)])
+    def spearman(self, generation, scale, alone=False):
+        """Of the mutants up to a generation that are no copies, and change the first number, or only the second one; mean over searches."""
+        found = []
+        for before, after in zip(self.parents[:, :generation], self.mutants[:, :generation]):
+            kept = before == after
+            which = (kept[..., 0] == alone) & ~kept.all(axis=-1)
+            found.append(rank_correlation(before[which][:, scale], after[which][:, scale]))
+        return mean(found)
 
     def faster(self, generation):
         """The share of mutants up to a generation that are faster than their parents, mean over searches."""
@@ -154,16 +172,24 @@ def at_one_scale():
             yield row | mean(ahead_of_chance(of_kind.best[:, generation], robots_of(generation))).cells("larger")
 
 
+# What mutants inherit and how often they repeat robots: of fractals and of the control
+TWO_SCALES = {"as in the paper": (Robots((0.25, 0.45)), Robots((0.25, 0.45), SECOND_ALONE)),
+              "one cell at most": (Robots((0.4, 0.7)), Robots((0.4, 0.7), SECOND_ALONE)),
+              "each as in its trials, without repeats": (Robots((0.24, 0.52)), Robots((0.27, 0.59), SECOND_ALONE, heredity_alone=0.45)),
+              "each as in its trials": (Robots((0.24, 0.52), repeats=0.37), Robots((0.27, 0.59), SECOND_ALONE, heredity_alone=0.45, repeats=0.23))}
+
+
 def at_two_scales():
-    for mutants, heredities in TWO_HEREDITIES.items():
-        fractals, control = (Searches(Robots(heredities, second_alone), SEARCHES, max(GENERATIONS)) for second_alone in (0.0, SECOND_ALONE))
+    for mutants, kinds in TWO_SCALES.items():
+        fractals, control = (Searches(robots, SEARCHES, max(GENERATIONS)) for robots in kinds)
         for generation in GENERATIONS:
-            row = {"mutants": mutants, "generations": generation} | dict(zip(("heredity_first", "heredity_second"), heredities)) | {"searches": SEARCHES}
+            row = {"mutants": mutants, "generations": generation, "searches": SEARCHES}
             for scale, name in enumerate(("first", "second")):
-                row |= fractals.spearman(generation, scale).cells(f"spearman_{name}")
+                row |= fractals.spearman(generation, scale).cells(f"spearman_{name}") | control.spearman(generation, scale).cells(f"control_spearman_{name}")
+            row |= control.spearman(generation, 1, alone=True).cells("control_spearman_alone")
             best = fractals.best[:, generation]
             row |= mean(ahead_of_chance_at_two_scales(best, robots_of(generation))).cells("ahead_of_chance")
-            yield row | share_of_larger(control.best[:, generation], best).cells("control_ahead")
+            yield row | share_of_larger(best, control.best[:, generation]).cells("fractals_ahead")
 
 
 def main(arguments):

@@ -1062,7 +1062,8 @@ class Heredity(Case):
         self.individuals("control_again-1017", columns, rows[:12])  # has no mutants yet
         self.done("heredity/heredity.py", self.tree / "found")
         found = {(row["cells_per_side"], row["kind"]): (row["mutants"], float(row["spearman"])) for row in table_of(self.tree / "paper/heredity/inherited.csv")}
-        self.assertEqual(found, {("3", "mutants of the body"): ("12", 1.0), ("9", "mutants of the body"): ("12", -1.0), ("9", "mutants of its arrangement alone"): ("12", 1.0)})
+        self.assertEqual(found, {("3", "mutants of the body"): ("12", 1.0), ("9", "mutants of the body"): ("12", -1.0), ("9", "mutants of its arrangement alone"): ("12", 1.0),
+                                 ("3", "mutants of the body alone"): ("12", 1.0), ("9", "mutants of the body alone"): ("12", -1.0)}, "none changes both")
 
     def test_tells_what_all_mutants_inherit_of_whom_both_scales_do_not_walk(self):
         # Searches at 9 cells alone: mutants of one cell keep their speed, those of two go the other way round; one equals its parent and does not count.
@@ -1127,6 +1128,15 @@ class Heredity(Case):
         alone = script.Robots([0.3, 0.8], script.SECOND_ALONE).mutants(parents, random)
         self.assertAlmostEqual(float(script.np.mean(alone[:, 0] == parents[:, 0])), script.SECOND_ALONE, delta=0.015)
         self.assertFalse((alone[:, 1] == parents[:, 1]).any())
+        self.assertAlmostEqual(script.np.corrcoef(parents[:, 1], alone[:, 1])[0, 1], 0.8, delta=0.03)
+        # What mutants inherit of the second number may depend on whether the first one changes, and some are copies.
+        mixed = script.Robots([0.3, 0.8], 0.5, heredity_alone=0.2, repeats=0.4)
+        children = mixed.mutants(parents, random)
+        copies = (children == parents).all(axis=1)
+        self.assertAlmostEqual(float(script.np.mean(copies)), 0.4, delta=0.015)
+        kept = (children[:, 0] == parents[:, 0]) & ~copies
+        self.assertAlmostEqual(script.np.corrcoef(parents[kept, 1], children[kept, 1])[0, 1], 0.2, delta=0.04)
+        self.assertAlmostEqual(script.np.corrcoef(parents[~kept & ~copies, 1], children[~kept & ~copies, 1])[0, 1], 0.8, delta=0.03)
         # The correlation of the speeds of random robots, as the docstring says, and the share of the control's mutants
         walks = table_of(SOURCES / "paper/discrepancies/walks/text.csv")
         speeds = [[math.hypot(float(row[f"level_{level}_dx_m"]), float(row[f"level_{level}_dy_m"])) for row in walks] for level in (1, 2)]
