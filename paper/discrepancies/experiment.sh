@@ -36,12 +36,13 @@ in_flight() {
   scenes=("$results"/in_flight/*.toml)
   for scene in "${scenes[@]}"; do
     number=$((number + 1))
-    name=${scene%.toml}
+    name=${scene##*/}
+    name=${name%.*}
     [ $((number % 20)) -ne 0 ] || say "discrepancies: robot in flight $number of ${#scenes[@]}"
-    if ! cmp -s "$scene" "$name/scene.toml"; then
-      rm -rf "$name"
-      menger simulate "$scene" --output "$name" >/dev/null
-      cp "$scene" "$name/scene.toml"
+    if ! cmp -s "$scene" "$results/in_flight/$name/scene.toml"; then
+      rm -rf "$results/in_flight/$name"
+      menger simulate "$scene" --output "$results/in_flight/$name" >/dev/null
+      cp "$scene" "$results/in_flight/$name/scene.toml"
     fi
   done
   "$study/in_flight.py" take "$results/in_flight"
