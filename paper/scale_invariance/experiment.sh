@@ -4,7 +4,8 @@ part random_balanced "20 min of two cores" "the same with beams whose moments ba
 trials one_scale 10 "6 min" "a search at the smallest scale, and its champion at three scales" 1 search_at_one_scale one_scale
 trials_on_request one_scale_balanced 10 "6 min" "the same with beams whose moments balance their forces" 1 search_at_one_scale one_scale_balanced
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
-part_on_request two_scales_balanced "8 min" "the same of those with beams whose moments balance their forces"
+part_on_request two_scales_again "12 min" "the champions of ./run paper fractal again, likewise"
+part_on_request two_scales_balanced "8 min" "those with beams whose moments balance their forces"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
 part_on_request similar "1 h of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
 part_on_request fourth "13 min of one core" "the champion of three scales at a fourth one, 81 cells per side"
@@ -41,6 +42,7 @@ search_at_one_scale() {
 
 # The champions of the experiment fractal.
 two_scales() { each_archive build/paper/fractal/two_scales_ .sqlite "fractal two_scales_1" walks_of_champion two_scales; }
+two_scales_again() { each_archive build/paper/fractal/again_ .sqlite "fractal again" walks_of_champion two_scales_again; }
 two_scales_balanced() { each_archive build/paper/fractal/two_scales_balanced_ .sqlite "fractal balanced_1" walks_of_champion two_scales_balanced; }
 three_scales() { each_archive build/paper/fractal/three_scales_ /trial.sqlite "fractal three_scales_40" walks_of_champion three_scales; }
 

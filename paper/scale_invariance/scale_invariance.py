@@ -37,10 +37,11 @@ DURATION_S = 5.0  # of a walk in the paper's text
 PER_MINUTE = 60.0 / DURATION_S
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
 BALANCED = "with balanced beams"
-GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales", "three_scales": "evolved at three scales",
+GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
+          "two_scales_again": "evolved at two scales, other seeds", "three_scales": "evolved at three scales",
           "random_balanced": f"random robots {BALANCED}", "one_scale_balanced": f"evolved at one scale {BALANCED}",
           "two_scales_balanced": f"evolved at two scales {BALANCED}"}
-EVOLVED = ("one_scale", "two_scales", "three_scales")  # by the number of scales that selection sees
+EVOLVED = ("one_scale", "two_scales", "two_scales_again", "three_scales")  # by the number of scales that selection sees
 EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
 ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
 ANGLES_DEG, FACTORS = (30.0, 45.0, 60.0), (1.5, 2.0, 3.0)  # other limits of what carries over, to see what hangs on them
@@ -367,7 +368,7 @@ def summary():
 
 FEWEST_OF_GROUP, FEWEST_OF_DIMENSION = 9, 5  # robots, fewer of which tell nothing in a picture of shares
 SIMULATORS = {"random": "paper's simulator", "random_balanced": "balanced beams"}  # of the families
-STYLES = (("#666666", ".", 12), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
+STYLES = (("#666666", ".", 12), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#56B4E9", "^", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
 LOWEST_FACTOR, HIGHEST_FACTOR = 1e-3, 20.0  # who nearly stops at 9 cells is drawn at the lowest; a higher one raises the limit to a power of ten
 
 
@@ -404,8 +405,9 @@ def draw_all_robots(pyplot, every):
     top = max(highest)
     panels[0].set(ylim=(0.8 * LOWEST_FACTOR, HIGHEST_FACTOR if top <= HIGHEST_FACTOR else 10.0 ** np.ceil(np.log10(top))), ylabel="speed in body lengths at 9 cells\nper side over that at 3 (ratio)")
     letter_panels(zip(panels, (SIMULATORS[family] for family in families)))
-    labels = [f"{GROUPS[group]} (n = {' and '.join(map(str, of_group))})" for group, of_group in zip(("random", *EVOLVED), zip_longest(*counts, fillvalue=0))]
-    legend_below(figure, 0.6, 2, [*panels[0].collections, *panels[0].lines], [*labels, "in the box: carries over"])
+    entries = [(handle, f"{GROUPS[group]} (n = {' and '.join(map(str, of_group))})")
+               for handle, group, of_group in zip(panels[0].collections, ("random", *EVOLVED), zip_longest(*counts, fillvalue=0)) if any(of_group)]
+    legend_below(figure, 0.6, 2, *zip(*entries, (panels[0].lines[0], "in the box: carries over")))
     settle(figure)
     write_svg(figure, HERE / "scale_invariance.svg")
 
