@@ -19,6 +19,8 @@
 #                         the same, and keeps its champion with a small picture in champions.csv, or in another table
 #   search_at_three_scales STUDY SEED [N]
 #                         a long trial, and the table three_scales/SEED.csv; N generations in place of the study's
+#   simulate_scenes FOLDER
+#                         simulates FOLDER/NAME.toml into FOLDER/NAME, each scene that is not simulated already as it is
 #   each_archive PREFIX SUFFIX "EXPERIMENT PART" FUNCTION [WORD ...]
 #                         calls FUNCTION WORD... SEED ARCHIVE for the archives PREFIX SEED SUFFIX that there are; where there is none
 #                         it says which part makes one, and fails
@@ -138,6 +140,20 @@ search_at_three_scales() {
   [ $code -eq 0 ] || exit $code
   mkdir -p "$study/three_scales"
   table "$out/generations.csv" "$study/three_scales/$2.csv"
+}
+
+simulate_scenes() {
+  local scene name number=0 scenes=("$1"/*.toml)
+  for scene in "${scenes[@]}"; do
+    number=$((number + 1))
+    name=${scene##*/}
+    name=${name%.*}
+    [ $((number % 20)) -ne 0 ] || say "scene $number of ${#scenes[@]}"
+    if ! cmp -s "$scene" "$1/$name/scene.toml"; then
+      menger simulate "$scene" --output "$1/$name" >/dev/null
+      cp "$scene" "$1/$name/scene.toml"
+    fi
+  done
 }
 
 each_archive() {

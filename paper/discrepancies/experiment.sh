@@ -29,22 +29,9 @@ bodies() {
   "$study/bodies.py" take "$results/bodies"
 }
 
-# Robots that are simulated already are not again.
 in_flight() {
-  local scene name number=0 scenes
   "$study/in_flight.py" scenes "$results/in_flight"
-  scenes=("$results"/in_flight/*.toml)
-  for scene in "${scenes[@]}"; do
-    number=$((number + 1))
-    name=${scene##*/}
-    name=${name%.*}
-    [ $((number % 20)) -ne 0 ] || say "discrepancies: robot in flight $number of ${#scenes[@]}"
-    if ! cmp -s "$scene" "$results/in_flight/$name/scene.toml"; then
-      rm -rf "$results/in_flight/$name"
-      menger simulate "$scene" --output "$results/in_flight/$name" >/dev/null
-      cp "$scene" "$results/in_flight/$name/scene.toml"
-    fi
-  done
+  simulate_scenes "$results/in_flight"
   "$study/in_flight.py" take "$results/in_flight"
 }
 

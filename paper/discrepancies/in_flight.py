@@ -21,6 +21,7 @@ Exit codes: 0 done, 2 wrong input.
 
 import pathlib
 import sys
+from functools import cache
 
 sys.dont_write_bytecode = True  # nothing but results is written beside the studies
 HERE = pathlib.Path(__file__).resolve().parent
@@ -34,7 +35,6 @@ from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa:
 ROBOTS = 100
 MOMENTS = {"published": "the paper's simulator", "balanced": "balanced beams"}
 STYLES = {"published": ("#D55E00", "-"), "balanced": ("#0072B2", "--")}
-PRESET = HERE.parent / "presets" / "paper.toml"
 PHYSICS = ("materials", "drive", "collisions", "limits", "integration", "damping")
 FLIGHT = {"loads": {"gravity_m_per_s2": 0.0}, "ground": {"present": False}}
 DURATION_S = 1.0  # five strokes
@@ -42,10 +42,14 @@ INTERVAL_S = 0.005
 SPINS_UP = 2.0  # times the energy of motion with balanced moments
 
 
+@cache
+def preset():
+    return read_toml(HERE.parent / "presets" / "paper.toml")
+
+
 def scene(phenotype, moments):
-    preset = read_toml(PRESET)
-    design = {"name": "robot", "cell_edge_m": preset["body"]["cell_edge_m"], "cells": [3, 3, 3], "digits": phenotype}
-    physics = {name: preset[name] for name in PHYSICS} | FLIGHT
+    design = {"name": "robot", "cell_edge_m": preset()["body"]["cell_edge_m"], "cells": [3, 3, 3], "digits": phenotype}
+    physics = {name: preset()[name] for name in PHYSICS} | FLIGHT
     physics["damping"] = physics["damping"] | {"global": 0.0}
     physics["materials"] = physics["materials"] | {"beam_moments": moments}
     time = {"duration_s": DURATION_S, "record_interval_s": INTERVAL_S}
@@ -74,7 +78,7 @@ class Flight:
 
     def last_stroke_J(self):
         """The largest energy of motion in the last stroke."""
-        stroke_s = 1.0 / read_toml(PRESET)["drive"]["frequency_Hz"]
+        stroke_s = 1.0 / preset()["drive"]["frequency_Hz"]
         return float(self.kinetic_J[self.times_s > self.times_s[-1] - stroke_s].max())
 
 

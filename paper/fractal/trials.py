@@ -178,26 +178,24 @@ def statistics(arms):
         levels = list(trials[0].speeds)
         smaller, larger = ([trial.last_speed(level) for trial in trials] for level in levels[-2:])
         slower = share(sum(one < other for one, other in zip(larger, smaller)), len(trials))
-        slowest = [sum(trial.speeds[levels[-1]] < np.min([trial.speeds[level] for level in levels[:-1]], axis=0)) for trial in trials]
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1} | first.cells("first") | last.cells("last") | gain.cells("gain")
                     | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                        "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
                     | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1, arm), "p_scales": signed_rank(smaller, larger),
-                       "p_scales_rank_sum": rank_sum(smaller, larger),
-                       # Of the best robots of all generations of all trials
-                       "largest_is_slowest_generations": int(sum(slowest)), "all_generations": sum(len(trial.best) for trial in trials)}
+                       "p_scales_rank_sum": rank_sum(smaller, larger)}
                     | leads_of(trials, levels) | dimensions_of(arm, trials))
     return rows
 
 
 def leads_of(trials, levels):
-    """How many best robots trials had one after another, which differ in some speed, and how many of these are slowest at the largest scale. Of
-    the one that led longest: for how many generations, and by what part of its speed at the slowest other scale it is slower at the largest."""
+    """In how many of all generations the best robot is slowest at the largest scale. How many best robots trials had one after another, which
+    differ in some speed, and how many of these are slowest there. Of the one that led longest: for how many generations, and by what part of its speed at the slowest other scale it is slower at the largest."""
     leads = [(speeds, len(list(generations))) for trial in trials
              for speeds, generations in groupby(zip(*(trial.speeds[level].tolist() for level in levels))) if not np.isnan(speeds).any()]
     behind = [1.0 - speeds[-1] / min(speeds[:-1]) if min(speeds[:-1]) > 0.0 else -np.inf for speeds, _ in leads]
     longest, margin = max(((generations, one) for (_, generations), one in zip(leads, behind)), default=(None, None))
-    return {"best_robots": len(leads), "largest_is_slowest_robots": sum(one > 0.0 for one in behind), "longest_lead": longest, "longest_lead_margin": margin}
+    return {"largest_is_slowest_generations": sum(generations for (_, generations), one in zip(leads, behind) if one > 0.0),
+            "all_generations": sum(len(trial.best) for trial in trials), "best_robots": len(leads), "largest_is_slowest_robots": sum(one > 0.0 for one in behind), "longest_lead": longest, "longest_lead_margin": margin}
 
 
 def tested(one, other, ends):

@@ -48,16 +48,8 @@ three_scales() { each_archive build/paper/fractal/three_scales_ /trial.sqlite "f
 
 # The scenes of champions with something changed, simulated, and the table of them.
 changed() {
-  local scene name
   "$study/changed_walks.py" "$1" "$results/$1"
-  for scene in "$results/$1"/*.toml; do
-    name=${scene##*/}
-    name=${name%.*}
-    if ! cmp -s "$scene" "$results/$1/$name/scene.toml"; then
-      menger simulate "$scene" --output "$results/$1/$name"
-      cp "$scene" "$results/$1/$name/scene.toml"
-    fi
-  done
+  simulate_scenes "$results/$1"
   "$study/changed_walks.py" take "$results/$1" "$1"
 }
 

@@ -781,7 +781,7 @@ class Trials(Case):
         columns = ["best_fitness_body_lengths", "hausdorff_dimension", "champion_cells", "level_1_displacement_body_lengths", "level_2_displacement_body_lengths"]
         # No robot at first; one that is slower at 9 cells by a tenth, for three generations; one that is slower at 3, for two.
         trial = script.Trial(1, [dict(zip(columns, ["1", "2", "9", *map(str, speeds)])) for speeds in [("", "")] + [(1.0, 0.9)] * 3 + [(0.5, 2.0)] * 2])
-        self.assertEqual(script.leads_of([trial], [1, 2]), {"best_robots": 2, "largest_is_slowest_robots": 1, "longest_lead": 3, "longest_lead_margin": 1.0 - 12.0 * 0.9 / 12.0})
+        self.assertEqual(script.leads_of([trial], [1, 2]), {"largest_is_slowest_generations": 3, "all_generations": 6, "best_robots": 2, "largest_is_slowest_robots": 1, "longest_lead": 3, "longest_lead_margin": 1.0 - 12.0 * 0.9 / 12.0})
 
     def test_means_stand_at_their_generations(self):
         script = module_of("paper/fractal/trials.py")
