@@ -116,15 +116,18 @@ class Trial:
         return float(self.speeds[level][-1]) if level in self.speeds else None
 
 
-def arms_of(name, folder):
-    """The trials of an arm up to the last generation that all of them have, and in an arm of their own those that are longer."""
-    rows = {int(file.stem): read_table(file) for file in folder.glob("*.csv")}
+def arms_of(name, arm):
+    """The trials of an arm up to the last generation that all of them have, or that was planned, and in an arm of their own those that are
+    longer."""
+    rows = {int(file.stem): read_table(file) for file in arm.folder.glob("*.csv")}
     for seed, found in rows.items():
         if not found:
-            raise InputError(f"{folder}/{seed}.csv: has no generation")
+            raise InputError(f"{arm.folder}/{seed}.csv: has no generation")
     arms = {}
     while rows and len(arms) < 2:
         shortest = min(map(len, rows.values()))
+        if arm.planned and not arms:
+            shortest = min(shortest, arm.planned[1] + 1)
         arms[f"{name}_longer" if arms else name] = [Trial(seed, found[:shortest]) for seed, found in sorted(rows.items())]
         rows = {seed: found for seed, found in rows.items() if len(found) > shortest}
     return arms
@@ -413,7 +416,7 @@ def main(arguments):
         raise InputError(__doc__)
     found = {}
     for name, arm in ARMS.items():
-        found |= arms_of(name, arm.folder)
+        found |= arms_of(name, arm)
     arms = {name: found[name] for name in DRAWN if name in found}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")

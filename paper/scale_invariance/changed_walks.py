@@ -31,7 +31,7 @@ from small_tables import InputError, cell, read_table, read_toml, run_script, to
 COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
 ONE_MATERIAL = {"phase_wave": "one material, a wave", "single_actuator": "one material, in phase"}  # searches of other experiments at two scales
 SEARCH_STUDIES = {"one_scale": HERE / "one_scale.toml", "two_scales": HERE.parent / "fractal" / "two_scales.toml",
-                  "two_scales_again": HERE.parent / "fractal" / "again.toml", "three_scales": HERE.parent / "fractal" / "single_precision.toml", "one_scale_balanced": HERE / "one_scale_balanced.toml",
+                  "two_scales_again": HERE.parent / "fractal" / "again.toml", "control_again": HERE.parent / "non_fractal" / "again.toml", "three_scales": HERE.parent / "fractal" / "single_precision.toml", "one_scale_balanced": HERE / "one_scale_balanced.toml",
                   "two_scales_balanced": HERE.parent / "fractal" / "two_scales_balanced.toml"} | {name: HERE.parent / name / "two_scales.toml" for name in ONE_MATERIAL}
 PHYSICS = ("loads", "ground", "materials", "damping", "drive", "collisions", "limits", "integration")
 PRESET = HERE.parent / "presets" / "paper.toml"
@@ -59,13 +59,27 @@ def champions_of_one_material():
                 yield {"group": group, "seed": row["seed"], "phenotype": row["digits"]}
 
 
+def robots_of_searches():
+    return [*champions(*ALL_EVOLVED), *champions_of_one_material()]
+
+
+def design_of(robot, level):
+    """The cells of a robot. At 9 cells per side those of the control are written out: its body in every cell of its arrangement."""
+    body, *arrangements = robot["phenotype"].split("|")
+    if not arrangements or level == 1:
+        return {"cells": [3, 3, 3], "digits": body, "level": level}
+    cells, arranged = (np.array(list(digits), dtype=int).reshape(3, 3, 3) for digits in (body, arrangements[0]))
+    aggregate = np.kron(arranged > 0, cells)
+    return {"cells": list(aggregate.shape), "digits": "".join(map(str, aggregate.flat)), "level": 1}
+
+
 def scene(robot, level, changes):
     """A scene with the physics of the search but for what is changed.
 
     @param changes {table: {key: number or word}}"""
     preset, study = read_toml(PRESET), read_toml(SEARCH_STUDIES[robot["group"]])
     tables = {name: preset[name] | study.get(name, {}) | changes.get(name, {}) for name in PHYSICS}
-    design = {"name": f"champion_{robot['group']}_{robot['seed']}", "cell_edge_m": CELL_EDGE_M, "cells": [3, 3, 3], "digits": robot["phenotype"], "level": level}
+    design = {"name": f"champion_{robot['group']}_{robot['seed']}", "cell_edge_m": CELL_EDGE_M} | design_of(robot, level)
     time = {"duration_s": preset["time"]["duration_s"], "record_interval_s": 0.2}
     return toml_text({"design": design, "time": time, "output": {"frames": False, "pictures": False}} | tables)
 
@@ -94,7 +108,7 @@ def similar_scenes(folder):
 
 
 def balanced_scenes(folder):
-    for robot in [*champions(*ALL_EVOLVED), *champions_of_one_material()]:
+    for robot in robots_of_searches():
         for level in BALANCED_LEVELS:
             for change, changes in BALANCED.items():
                 if change == "balanced" and robot["group"] in EVOLVED_BALANCED:
@@ -109,15 +123,16 @@ def fourth_scenes(folder):
 
 
 def take(folder, table):
-    """Walks that are not there yet, or were stopped, have no row, and failed ones no ends."""
+    """Walks that are not there yet, or were stopped, or of robots that are gone, have no row, and failed ones no ends."""
+    phenotypes = {(robot["group"], robot["seed"]): robot["phenotype"] for robot in robots_of_searches()}
     rows = []
     for file in sorted(folder.glob("*.toml"), key=lambda file: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", file.stem)]):
         group, seed, level, change = file.stem.split("-")
         result = folder / file.stem / "result.toml"
-        if not result.exists() or (found := read_toml(result)).get("status") == "stopped":
+        if (group, seed) not in phenotypes or not result.exists() or (found := read_toml(result)).get("status") == "stopped":
             continue
         ends_m = [cell(value, 6) for value in found.get("displacement_m", ["", ""])[:2]]
-        rows.append(dict(zip(COLUMNS, [group, seed, read_toml(file)["design"]["digits"], level, change, *ends_m])))
+        rows.append(dict(zip(COLUMNS, [group, seed, phenotypes[group, seed], level, change, *ends_m])))
     write_table(HERE / f"{table}.csv", COLUMNS, rows)
 
 

@@ -5,6 +5,7 @@ trials one_scale 10 "6 min" "a search at the smallest scale, and its champion at
 trials_on_request one_scale_balanced 10 "6 min" "the same with beams whose moments balance their forces" 1 search_at_one_scale one_scale_balanced
 part_on_request two_scales "8 min" "the champions of ./run paper fractal at two scales, at the third scale"
 part_on_request two_scales_again "12 min" "the champions of ./run paper fractal again, likewise"
+part_on_request control_again "1 min" "those of ./run paper non_fractal again, at the two scales that they have"
 part_on_request two_scales_balanced "8 min" "those with beams whose moments balance their forces"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
 part_on_request similar "1 h of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
@@ -26,11 +27,14 @@ random_robots() {
 random() { random_robots random; }
 random_balanced() { random_robots random_balanced; }
 
-# The champion of an archive, simulated at three levels: group, seed, archive.
-walks_of_champion() {
-  menger export "$3" --output "$results/$1_$2" --levels 1 2 3 --no-frames --no-pictures
-  robots champion "$results/$1_$2" "$1" "$2"
+# The champion of an archive, simulated at some levels: levels, group, seed, archive.
+walks_at() {
+  local levels
+  read -ra levels <<<"$1"
+  menger export "$4" --output "$results/$2_$3" --levels "${levels[@]}" --no-frames --no-pictures
+  robots champion "$results/$2_$3" "$2" "$3"
 }
+walks_of_champion() { walks_at "1 2 3" "$@"; }
 
 # shellcheck disable=SC2154  # $generations is that of run_experiment.sh
 search_at_one_scale() {
@@ -43,6 +47,7 @@ search_at_one_scale() {
 # The champions of the experiment fractal.
 two_scales() { each_archive build/paper/fractal/two_scales_ .sqlite "fractal two_scales_1" walks_of_champion two_scales; }
 two_scales_again() { each_archive build/paper/fractal/again_ .sqlite "fractal again" walks_of_champion two_scales_again; }
+control_again() { each_archive build/paper/non_fractal/again_ .sqlite "non_fractal again" walks_at "1 2" control_again; }
 two_scales_balanced() { each_archive build/paper/fractal/two_scales_balanced_ .sqlite "fractal balanced_1" walks_of_champion two_scales_balanced; }
 three_scales() { each_archive build/paper/fractal/three_scales_ /trial.sqlite "fractal three_scales_40" walks_of_champion three_scales; }
 

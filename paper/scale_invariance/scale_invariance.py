@@ -38,12 +38,14 @@ PER_MINUTE = 60.0 / DURATION_S
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
 BALANCED = "with balanced beams"
 GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
-          "two_scales_again": "evolved at two scales, other seeds", "three_scales": "evolved at three scales",
+          "control_again": "the control, evolved at two scales", "two_scales_again": "evolved at two scales, other seeds",
+          "three_scales": "evolved at three scales",
           "random_balanced": f"random robots {BALANCED}", "one_scale_balanced": f"evolved at one scale {BALANCED}",
           "two_scales_balanced": f"evolved at two scales {BALANCED}"}
-EVOLVED = ("one_scale", "two_scales", "two_scales_again", "three_scales")  # by the number of scales that selection sees
+EVOLVED = ("one_scale", "two_scales", "control_again", "two_scales_again", "three_scales")  # by the number of scales that selection sees
 EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
 ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
+LEVELS_OF = {"control_again": (1, 2)}  # of groups that have fewer
 ANGLES_DEG, FACTORS = (30.0, 45.0, 60.0), (1.5, 2.0, 3.0)  # other limits of what carries over, to see what hangs on them
 FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]
@@ -64,7 +66,8 @@ def robots_but(group, seed):
 
 
 def cells_of(phenotype):
-    return sum(digit != "0" for digit in phenotype)
+    """Of the body, which the digits of a robot of the control begin with."""
+    return sum(digit != "0" for digit in phenotype.partition("|")[0])
 
 
 def row_of(group, seed, robot, phenotype, ends_m):
@@ -97,7 +100,7 @@ def add_champion(folder, group, seed):
     if group not in ALL_EVOLVED:
         raise InputError(f"{group}: must be one of {', '.join(ALL_EVOLVED)}")
     ends_m = {}
-    for level in LEVELS:
+    for level in LEVELS_OF.get(group, LEVELS):
         result = read_toml(folder / f"level_{level}" / "result.toml")
         if "displacement_m" in result:
             ends_m[level] = result["displacement_m"][:2]
@@ -368,7 +371,7 @@ def summary():
 
 FEWEST_OF_GROUP, FEWEST_OF_DIMENSION = 9, 5  # robots, fewer of which tell nothing in a picture of shares
 SIMULATORS = {"random": "paper's simulator", "random_balanced": "balanced beams"}  # of the families
-STYLES = (("#666666", ".", 12), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#56B4E9", "^", 26), ("#D55E00", "D", 26))  # of random robots, then by scales
+STYLES = (("#666666", ".", 12), ("#E69F00", "s", 22), ("#0072B2", "o", 26), ("#CC79A7", "v", 26), ("#56B4E9", "^", 26), ("#D55E00", "D", 26))  # of random robots, then of evolved ones
 LOWEST_FACTOR, HIGHEST_FACTOR = 1e-3, 20.0  # who nearly stops at 9 cells is drawn at the lowest; a higher one raises the limit to a power of ten
 
 

@@ -94,7 +94,7 @@ class Case(unittest.TestCase):
         self.tree = pathlib.Path(folder.name)
         for name in ("presets/paper.toml", "presets/released-code.toml", "sample_statistics.py", "small_tables.py", "svg_figure.py", "discrepancies/discrepancies.py", "discrepancies/bodies.py", "discrepancies/population.toml",
                      "discrepancies/variants.toml", "discrepancies/in_flight.py", "scale_invariance/scale_invariance.py", "scale_invariance/changed_walks.py", "fractal/trials.py", "heredity/heredity.py", "heredity/made_up.py", "heredity/chance.py", "fractal/two_scales.toml", "fractal/two_scales_balanced.toml", "fractal/single_precision.toml",
-                     "scale_invariance/one_scale.toml", "phase_wave/two_scales.toml"):
+                     "non_fractal/again.toml", "scale_invariance/one_scale.toml", "phase_wave/two_scales.toml"):
             place = self.tree / "paper" / name
             place.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(SOURCES / "paper" / name, place)
@@ -668,6 +668,33 @@ class ScaleInvariance(Case):
         self.assertEqual({scene["drive"]["mode"] for scene in of_wave.values()}, {"wave"})
         self.assertEqual(of_wave["phase_wave-1-1-balanced"]["materials"]["beam_moments"], "balanced")
 
+    def test_robots_of_the_control_have_a_body_and_an_arrangement(self):
+        # Two cells side by side along x, and a step of three such bodies: two side by side along x, and one on the second of these.
+        digits = "120" + "0" * 24, "110" + "0" * 6 + "010" + "0" * 15, "0" * 13 + "1" + "0" * 13
+        for level in (1, 2):
+            place = self.tree / f"champion/level_{level}"
+            place.mkdir(parents=True)
+            (place / "result.toml").write_text(f"displacement_m = [0.0{level}, 0.0, 0.0]\n")
+        write(self.tree / "champion/lineage.csv", ["individual", "phenotype"], [[3, "|".join(digits)]])
+        self.done(self.script, "champion", self.tree / "champion", "control_again", "1016")
+        (robot,) = table_of(self.tree / "paper/scale_invariance/robots.csv")
+        self.assertEqual([robot[name] for name in ("cells", "level_2_dx_m", "level_3_dx_m")], ["2", "0.02", ""], "it has two scales")
+        folder = self.tree / "scenes"
+        self.done(self.changed, "balanced", folder)
+        scenes = {file.stem: tomllib.loads(file.read_text()) for file in folder.glob("*.toml")}
+        self.assertEqual(len(scenes), 6)
+        basal, arranged = (scenes[f"control_again-1016-{level}-as_it_is"]["design"] for level in (1, 2))
+        self.assertEqual([basal[name] for name in ("cells", "digits", "level")], [[3, 3, 3], digits[0], 1])
+        self.assertEqual([arranged[name] for name in ("cells", "level")], [[9, 9, 9], 1])
+        filled = {n: digit for n, digit in enumerate(arranged["digits"]) if digit != "0"}
+        self.assertEqual(filled, {0: "1", 1: "2", 3: "1", 4: "2", 243 + 3: "1", 243 + 4: "2"}, "three layers up there are 3 x 81 cells before it")
+        self.walked(folder, control_again__1016__2__as_it_is=0.09)
+        for robots_left, rows in ((1, 1), (0, 0)):
+            self.champions([["control_again", 1016, "|".join(digits), 0.01, 0.0, 0.02, 0.0, "", ""]][:robots_left])
+            self.done(self.changed, "take", folder, "balanced")
+            taken = table_of(self.tree / "paper/scale_invariance/balanced.csv")
+            self.assertEqual([row["phenotype"] for row in taken], ["|".join(digits)] * rows, "robots that are gone have no row")
+
     def test_champions_of_three_scales_walk_at_a_fourth_one(self):
         self.champions([[group, 1, body(1), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0] for group in ("two_scales", "three_scales")])
         folder = self.tree / "scenes"
@@ -951,12 +978,15 @@ class Trials(Case):
         self.assertEqual((script.times_looks(None, 2), script.times_looks(0.6, 2)), (None, 1.0))
 
     def test_what_was_planned_is_tested_once(self):
+        def put(folder, seed, speed, generations=60):
+            write(self.tree / f"paper/{folder}/again/{seed}.csv", self.columns, [[n, (speed + 1e-5 * seed) * n, 9, 2, speed * n, speed * n] for n in range(generations + 1)])
+
         for folder, seeds, speed in (("fractal", range(11, 26), 0.01), ("non_fractal", range(1016, 1031), 0.02)):
             for seed in seeds:
                 if seed == 1030:
                     self.done(self.script)
                     self.assertFalse((self.tree / "paper/fractal/comparisons.csv").exists(), "what was planned is not complete")
-                write(self.tree / f"paper/{folder}/again/{seed}.csv", self.columns, [[n, (speed + 1e-5 * seed) * n, 9, 2, speed * n, speed * n] for n in range(61)])
+                put(folder, seed, speed)
         self.done(self.script)
         (row,) = table_of(self.tree / "paper/fractal/comparisons.csv")
         self.assertEqual((row["arms"], row["generations"], row["p"], row["looks"], row["p_looks"]), ("fractal_again and non_fractal_again", "60", row["p_looks"], "1", f"{2 / math.comb(30, 15):.4g}"))
@@ -965,6 +995,13 @@ class Trials(Case):
         self.assertEqual({row["looks"] for row in table_of(self.tree / "paper/fractal/statistics.csv")}, {"1"})
         script = module_of("paper/fractal/trials.py")
         self.assertEqual([script.looks(60, *names) for names in (["fractal_again"], ["fractal", "fractal_again"], ["fractal"], ["fractal_again_longer"])], [1, 3, 3, 3])
+        # Who goes on with them leaves the test as it was.
+        for seed in range(11, 26):
+            put("fractal", seed, 0.01, 70)
+        self.done(self.script)
+        self.assertEqual(table_of(self.tree / "paper/fractal/comparisons.csv"), [row])
+        self.assertEqual({row["arm"]: row["generations"] for row in table_of(self.tree / "paper/fractal/statistics.csv")},
+                         {"fractal_again": "60", "fractal_again_longer": "70", "non_fractal_again": "60"})
 
     def test_variants_of_a_search_differ_from_it_in_one_thing(self):
         evolution, drawn = (tomllib.loads((SOURCES / f"paper/fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))
