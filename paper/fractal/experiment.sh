@@ -6,7 +6,8 @@ trials single_cells 10 "2 min of two cores" "40 generations in which a mutant di
 trials new_mutants 10 "5 min of two cores" "40 generations in which no robot comes twice" 1 search new_mutants
 # Other seeds than those of the trials: with the same ones, the robots of their first generations would be among those that are drawn.
 trials random_search 10 "9 min of two cores" "as many robots as a trial of two_scales asks for, but 14, all drawn at random" 2001 search random_search
-trials_on_request again 15 "4 min of two cores" "60 generations of other seeds, which repeat the comparison with those of non_fractal" 11 search again
+trials_on_request again 15 "7 min of two cores" "60 generations of other seeds, which repeat the comparison with those of non_fractal" 11 search again
+trials_on_request again_balanced 15 "7 min of two cores" "the same with beams whose moments balance their forces" 11 search again_balanced
 part statistics "1 min" "the tests, the intervals and the picture of all trials that there are, those of non_fractal too"
 part_on_request three_scales_40 "1.1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "9 h of two cores" "the same trial: 325 generations; it goes on from the 40"

@@ -4,15 +4,15 @@ equal_evaluations.csv, trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
-             again/SEED.csv, random_search/SEED.csv and three_scales/SEED.csv in both folders
+             again/SEED.csv, again_balanced/SEED.csv, random_search/SEED.csv and three_scales/SEED.csv in both folders
 
 Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on stand
 once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared at the
 last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum
 test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their test had been
 looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
-comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds: fifteen of each kind, of 60 generations,
-are tested once. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
+comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/ without the
+fault of the simulator: fifteen of each kind, of 60 generations, are tested once. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
 test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
 compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
 more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in
@@ -75,12 +75,15 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", "-", "d", is_fractal=False, is_variant=True),
         "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", "-", "<", is_variant=True, planned=(15, 60)),
         "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", "-", ">", is_fractal=False, is_variant=True, planned=(15, 60)),
+        "fractal_again_balanced": Arm(HERE / "again_balanced", "fractal, balanced beams", "#0072B2", "-", "8", is_variant=True, planned=(15, 60)),
+        "non_fractal_again_balanced": Arm(NON_FRACTAL / "again_balanced", "control, balanced beams", "#D55E00", "-", "H", is_fractal=False, is_variant=True, planned=(15, 60)),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", "--", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#B79FCB", "-", 3.2), 2: ("#762A83", "--", 1.6), 3: ("#000000", ":", 1.9)}  # no colours of arms; all show where they are on each other
-COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"), ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
+COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"), ("fractal_again_balanced", "non_fractal_again_balanced"),
+               ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("single_cells", "fractal"), ("single_cells", "random_search"),
                ("new_mutants", "fractal"), ("new_mutants", "random_search"), ("new_mutants", "non_fractal"),
                ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
@@ -116,18 +119,18 @@ class Trial:
         return float(self.speeds[level][-1]) if level in self.speeds else None
 
 
-def arms_of(name, arm):
+def arms_of(name, folder, planned=None):
     """The trials of an arm up to the last generation that all of them have, or that was planned, and in an arm of their own those that are
     longer."""
-    rows = {int(file.stem): read_table(file) for file in arm.folder.glob("*.csv")}
+    rows = {int(file.stem): read_table(file) for file in folder.glob("*.csv")}
     for seed, found in rows.items():
         if not found:
-            raise InputError(f"{arm.folder}/{seed}.csv: has no generation")
+            raise InputError(f"{folder}/{seed}.csv: has no generation")
     arms = {}
     while rows and len(arms) < 2:
         shortest = min(map(len, rows.values()))
-        if arm.planned and not arms:
-            shortest = min(shortest, arm.planned[1] + 1)
+        if planned is not None and not arms:
+            shortest = min(shortest, planned + 1)
         arms[f"{name}_longer" if arms else name] = [Trial(seed, found[:shortest]) for seed, found in sorted(rows.items())]
         rows = {seed: found for seed, found in rows.items() if len(found) > shortest}
     return arms
@@ -416,7 +419,7 @@ def main(arguments):
         raise InputError(__doc__)
     found = {}
     for name, arm in ARMS.items():
-        found |= arms_of(name, arm)
+        found |= arms_of(name, arm.folder, arm.planned and arm.planned[1])
     arms = {name: found[name] for name in DRAWN if name in found}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""How much of its parent's speed a mutant keeps, and how often it is no new robot: heredity.csv, inherited.csv, mutants.csv and repeats.csv.
+"""How much of its parent's speed a mutant keeps, how often it is no new robot, and whether the control's first robots are faster than
+fractals: heredity.csv, inherited.csv, mutants.csv, repeats.csv and first_robots.csv.
 
 heredity.py FOLDER    reads FOLDER/ARM-SEED/individuals.csv, which menger export --individuals writes
 
@@ -10,6 +11,10 @@ mutants.csv    of mutants and of robots that are drawn at random: the share whos
                and the share of mutants that are fitter than their parents
 repeats.csv    for each arm: the share of mutants that are robots which the search had before, of all of them and of those of the best robot
                so far
+first_robots.csv
+               of robots that are drawn at random, each once, at each scale and by fitness: how often one of the control is faster than a
+               fractal, and the rank correlation of the speeds at both scales. All of the first generations, and the fractals of
+               ../discrepancies
 
 Mutants of the control, whose larger scale evolves apart, are of two kinds: those that change the body and those that change its arrangement
 alone, which go as fast at 3 cells as their parents. inherited.csv tells those of the body apart, too, by whether the arrangement changes. heredity.csv leaves its trials out.
@@ -26,8 +31,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import mean, rank_correlation  # noqa: E402
-from scale_invariance import PER_MINUTE, body_lengths, ends  # noqa: E402
+from sample_statistics import mean, median, rank_correlation, rank_sum, share_of_larger, spearman  # noqa: E402
+from scale_invariance import AT_TWO_SCALES, PER_MINUTE, body_lengths, ends  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 
 LEVELS = (1, 2)
@@ -36,6 +41,10 @@ FEWEST_MUTANTS = 10  # of a trial, fewer of which have no rank correlation to sp
 FAST_PER_MINUTE = 15.0
 ARRANGEMENT_ALONE = "mutants of its arrangement alone"  # those of the control that keep the body
 ARMS = ("fractal", "in_pieces", "single_cells", "three_cells", "three_cells_single", "nine_cells", "nine_cells_single", "balanced", "new_mutants", "fractal_again", "control", "control_again", "body_mutants")  # in the order of the tables
+
+
+# Trials at two scales of the same physics and rules, whose first robots are drawn at random and walk at both scales
+FIRST_ROBOTS = {"fractal": ("fractal", "new_mutants", "fractal_again"), "control": ("control", "body_mutants", "control_again")}
 
 
 def speeds_of(rows, level):
@@ -50,6 +59,7 @@ class Trial:
         rows = read_table(file)
         by_number = {row["individual"]: row for row in rows}
         self.drawn = [row for row in rows if not row["parent"]]
+        self.first = [row for row in self.drawn if row["generation"] == "0"]
         self.mutants = [row for row in rows if row["parent"]]
         self.parents = [by_number[row["parent"]] for row in self.mutants]
         # The body, and where the larger scale evolves apart its arrangement
@@ -156,6 +166,30 @@ def repeats(arm, trials):
     yield row
 
 
+def first_speeds(arms):
+    """The speeds of fractals and of the control's robots at both scales, of those that walk at both: {kind: array (robots, scales)}."""
+    file = AT_TWO_SCALES["random"]
+    others = {"fractal": read_table(file) if file.exists() else [], "control": []}
+    speeds = {}
+    for kind, names in FIRST_ROBOTS.items():
+        robots = {row["phenotype"]: row for row in [row for name in names for trial in arms.get(name, []) for row in trial.first] + others[kind]}
+        both = np.array([speeds_of(list(robots.values()), level) for level in LEVELS]).T
+        speeds[kind] = both[np.isfinite(both).all(axis=1)]
+    return speeds
+
+
+def first_robots(speeds):
+    for what, of_both in (*((f"{3**level} cells", lambda both, at=at: both[:, at]) for at, level in enumerate(LEVELS)), ("fitness", lambda both: both.min(axis=1))):
+        fractals, control = (of_both(speeds[kind]) for kind in FIRST_ROBOTS)
+        row = {"speed": what, "fractals": len(fractals), "control": len(control)} | median(fractals).cells("fractal_median") | median(control).cells("control_median")
+        yield row | share_of_larger(control, fractals).cells("control_is_faster") | {"p": rank_sum(control, fractals)}
+
+
+def correlations(speeds):
+    """Of both scales."""
+    return {f"{kind}_spearman{end}": value for kind in FIRST_ROBOTS for end, value in zip(("", "_low", "_high"), spearman(*speeds[kind].T).cells("").values())}
+
+
 # The rows of each table, and the arms that it has
 TABLES = {"heredity": (heredity, ("fractal", "single_cells", "balanced")), "inherited": (inherited, ARMS),
           "mutants": (fast_robots, ("fractal", "balanced", "fractal_again", "control", "control_again")), "repeats": (repeats, ARMS)}
@@ -177,6 +211,10 @@ def main(arguments):
         if rows:
             rows.sort(key=lambda row: ARMS.index(row["arm"]))
             write_table(file, list(rows[0]), rows)
+    speeds = first_speeds(arms)
+    if all(len(both) for both in speeds.values()):
+        rows = [{key: cell(value) for key, value in (row | correlations(speeds)).items()} for row in first_robots(speeds)]
+        write_table(HERE / "first_robots.csv", list(rows[0]), rows)
 
 
 if __name__ == "__main__":

@@ -175,8 +175,8 @@ def at_one_scale():
 # What mutants inherit and how often they repeat robots: of fractals and of the control
 TWO_SCALES = {"as in the paper": (Robots((0.25, 0.45)), Robots((0.25, 0.45), SECOND_ALONE)),
               "one cell at most": (Robots((0.4, 0.7)), Robots((0.4, 0.7), SECOND_ALONE)),
-              "each as in its trials, without repeats": (Robots((0.24, 0.52)), Robots((0.27, 0.59), SECOND_ALONE, heredity_alone=0.45)),
-              "each as in its trials": (Robots((0.24, 0.52), repeats=0.37), Robots((0.27, 0.59), SECOND_ALONE, heredity_alone=0.45, repeats=0.23))}
+              "each as in its trials, without repeats": (Robots((0.24, 0.52)), Robots((0.25, 0.555), SECOND_ALONE, heredity_alone=0.48)),
+              "each as in its trials": (Robots((0.24, 0.52), repeats=0.375), Robots((0.25, 0.555), SECOND_ALONE, heredity_alone=0.48, repeats=0.22))}
 
 
 def at_two_scales():

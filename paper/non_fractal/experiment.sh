@@ -5,7 +5,8 @@ trials two_scales 15 "11 min of two cores" "140 generations at the scales of 3 a
 trials random_search 10 "4 min of two cores" "as many robots as 40 generations of two_scales ask for, but 14, all drawn at random" 3001 search random_search
 # The seeds of two_scales, so that both begin with the same robots.
 trials body_mutants 15 "3 min of two cores" "40 generations of two_scales, of the same seed, in which every mutant gets another body" 1001 search body_mutants
-trials_on_request again 15 "4 min of two cores" "60 generations of other seeds, which repeat the comparison with those of fractal" 1016 search again
+trials_on_request again 15 "7 min of two cores" "60 generations of other seeds, which repeat the comparison with those of fractal" 1016 search again
+trials_on_request again_balanced 15 "7 min of two cores" "the same with beams whose moments balance their forces" 1016 search again_balanced
 part_on_request three_scales_40 "about 1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "about 9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "about 6 days of two cores" "fifteen such trials, seeds 1001 to 1015: the paper's control"

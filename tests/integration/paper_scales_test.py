@@ -1015,6 +1015,9 @@ class Trials(Case):
         for folder, plain in (("fractal", evolution), ("non_fractal", control)):
             again = tomllib.loads((SOURCES / f"paper/{folder}/again.toml").read_text())
             self.assertEqual(again | {"generations": None, "seed": None}, plain | {"generations": None, "seed": None})
+            balanced = tomllib.loads((SOURCES / f"paper/{folder}/again_balanced.toml").read_text())
+            self.assertEqual(balanced.pop("materials"), {"beam_moments": "balanced"})
+            self.assertEqual(balanced, again)
         cells = tomllib.loads((SOURCES / "paper/fractal/single_cells.toml").read_text())
         self.assertEqual(cells.pop("genome"), {"most_changed_cells": 1})
         self.assertEqual(cells | {"generations": evolution["generations"]}, evolution)
@@ -1101,6 +1104,30 @@ class Heredity(Case):
         found = {(row["cells_per_side"], row["kind"]): (row["mutants"], float(row["spearman"])) for row in table_of(self.tree / "paper/heredity/inherited.csv")}
         self.assertEqual(found, {("3", "mutants of the body"): ("12", 1.0), ("9", "mutants of the body"): ("12", -1.0), ("9", "mutants of its arrangement alone"): ("12", 1.0),
                                  ("3", "mutants of the body alone"): ("12", 1.0), ("9", "mutants of the body alone"): ("12", -1.0)}, "none changes both")
+
+    def test_compares_robots_that_are_drawn_at_random(self):
+        # Body lengths in 5 s at both scales. Fractals: 1 and 1, 2 and 3, 3 and 2; the control: 2.5 and 4, 4 and 1.5.
+        columns = ["generation", "individual", "parent", "phenotype", "fitness_body_lengths"] + [f"level_{level}_d{axis}_m" for level in (1, 2) for axis in "xy"]
+
+        def drawn(number, small, large, rest="", generation=0):
+            return [generation, number, "", body(number) + rest, 1.0, 0.03 * small, 0, *((0.09 * large, 0) if large else ("", ""))]
+
+        def search(trial, *rows):
+            write(self.tree / "found" / trial / "individuals.csv", columns, [*rows, [1, 99, rows[0][1], body(99) + rows[0][3][27:], "", "", "", "", ""]])
+
+        search("fractal_again-11", drawn(0, 1, 1), drawn(1, 2, 3), drawn(2, 9, None), drawn(3, 9, 9, generation=1))  # who did not walk, or comes later, does not count
+        self.done("heredity/heredity.py", self.tree / "found")
+        self.assertFalse((self.tree / "paper/heredity/first_robots.csv").exists(), "there is none of the control")
+        search("new_mutants-1", drawn(1, 2, 3))  # once
+        write(self.tree / "paper/discrepancies/walks/text.csv", columns[3:], [drawn(4, 3, 2)[3:]])
+        arrangement = "|" + "1" * 27 + "|" + "0" * 13 + "1" + "0" * 13
+        search("control_again-1016", drawn(0, 2.5, 4, arrangement), drawn(1, 4, 1.5, arrangement))
+        self.done("heredity/heredity.py", self.tree / "found")
+        found = {row["speed"]: row for row in table_of(self.tree / "paper/heredity/first_robots.csv")}
+        self.assertEqual({name: [row[column] for column in ("fractals", "control", "fractal_median", "control_median", "control_is_faster")] for name, row in found.items()},
+                         {"3 cells": ["3", "2", "24", "39", f"{5 / 6:.4g}"], "9 cells": ["3", "2", "24", "33", f"{4 / 6:.4g}"],
+                          "fitness": ["3", "2", "24", "24", f"{4 / 6:.4g}"]}, "1.5 and 2.5 against 1, 2 and 2")
+        self.assertEqual([float(found["fitness"][f"{kind}_spearman"]) for kind in ("fractal", "control")], [0.5, -1.0])
 
     def test_tells_what_all_mutants_inherit_of_whom_both_scales_do_not_walk(self):
         # Searches at 9 cells alone: mutants of one cell keep their speed, those of two go the other way round; one equals its parent and does not count.
