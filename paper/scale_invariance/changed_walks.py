@@ -8,7 +8,8 @@ changed_walks.py balanced FOLDER     writes scenes of all champions, those of ..
                                      which champions of some searches have already
 changed_walks.py fourth FOLDER       writes scenes of the champions of three scales at the third and at a fourth one, 81 cells per side
 changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
-changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv and fourth_statistics.csv of the tables that there are
+changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv, against_control.csv and fourth_statistics.csv of the
+                                     tables that there are
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -23,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
-from sample_statistics import mcnemar, median, share, signed_rank  # noqa: E402
+from sample_statistics import mcnemar, median, rank_sum, share, share_of_larger, signed_rank  # noqa: E402
 from scale_invariance import (ALL_EVOLVED, CELL_EDGE_M, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths,  # noqa: E402
                               carries_over, outcome, robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
@@ -43,6 +44,7 @@ SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": 
 BALANCED = {"as_it_is": {}, "balanced": {"materials": {"beam_moments": "balanced"}}, "half_step": {"integration": {"time_step_fraction": 0.45}}}
 BALANCED_LABELS = {"balanced": "balanced moments", "half_step": "half the time step"}
 BALANCED_LEVELS = (1, 2)
+FRACTALS_AND_CONTROL = ("two_scales_again", "control_again")  # champions of trials with equal rules, of as many generations
 FOURTH_LEVELS = (3, 4)
 LEAST_SHARE = 0.5  # of its speed, which a champion keeps
 
@@ -190,6 +192,27 @@ def balanced_statistics():
     return rows
 
 
+def speeds_of_group(group):
+    """The speeds of its champions at both scales, in body lengths a minute: as they are, and with balanced beams. Two arrays (robots, scales)."""
+    walks = [found for (name, _), found in walks_of("balanced", np.zeros(2)).items() if name == group]
+    wanted = [[(level, change) for level in BALANCED_LEVELS] for change in ("as_it_is", "balanced")]
+    walks = [found for found in walks if all(walk in found for change in wanted for walk in change)]
+    return [PER_MINUTE * np.array([[body_lengths(found[walk], walk[0]) for walk in change] for found in walks]) for change in wanted]
+
+
+def against_control():
+    """What balanced beams leave of the speed of champions at each scale, and of their fitness, the slower of both speeds: fractals against the
+    control."""
+    before, after = zip(*(speeds_of_group(group) for group in FRACTALS_AND_CONTROL))
+    if not all(map(len, before)):
+        return []
+    left = [one / other for one, other in zip(after, before)]
+    measures = {f"share of the speed that is left at {3**level} cells": [one[:, at] for one in left] for at, level in enumerate(BALANCED_LEVELS)}
+    measures |= {"fitness in the paper's simulator": [one.min(axis=1) for one in before], "fitness with balanced beams": [one.min(axis=1) for one in after]}
+    return [{"what": what, "fractals": len(fractals), "controls": len(control)} | median(fractals).cells("fractal") | median(control).cells("control")
+            | share_of_larger(fractals, control).cells("fractal_is_larger") | {"p": rank_sum(fractals, control)} for what, (fractals, control) in measures.items()]
+
+
 def fourth_statistics():
     """Of each champion of three scales, whether it does at the fourth one what it does at the third."""
     rows = []
@@ -218,7 +241,7 @@ def kept(before_m, after_m, level):
 
 def summary():
     for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics()),
-                       ("fourth_statistics", fourth_statistics())):
+                       ("against_control", against_control()), ("fourth_statistics", fourth_statistics())):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [{key: cell(value) for key, value in row.items()} for row in rows])
 

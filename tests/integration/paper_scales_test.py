@@ -738,6 +738,26 @@ class ScaleInvariance(Case):
         self.assertEqual([found["one_scale", "half_step"][name] for name in ("ratio", "keep_half")], ["0.75", "1"])
         self.assertEqual([found["two_scales", "balanced"][name] for name in ("robots", "ratio", "keep_half")], ["2", "0.5", "0.5"])
 
+    def test_champions_of_fractals_and_of_the_control_may_live_on_the_fault(self):
+        # Speeds in body lengths of a walk at 3 and 9 cells, as they are and with balanced beams. The last one of each group has not walked at both.
+        speeds = {"two_scales_again": [((2, 2), (2, 1)), ((3, 2), (1.5, 1))], "control_again": [((4, 3), (1, 3)), ((4, 2.5), (0, 2.5))]}
+        rows = []
+        for group, robots in speeds.items():
+            for seed, changes in enumerate(robots):
+                rows += [[group, seed, body(seed), level, change, 0.01 * 3**level * far[level - 1], 0.0]
+                         for change, far in zip(("as_it_is", "balanced"), changes) for level in (1, 2)]
+            rows.append([group, 9, body(9), 1, "as_it_is", 0.3, 0.0])
+        folder = self.tree / "paper/scale_invariance"
+        columns = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
+        write(folder / "balanced.csv", columns, rows[:10])
+        self.done(self.changed, "summary")
+        self.assertFalse((folder / "against_control.csv").exists(), "there is none of the control")
+        write(folder / "balanced.csv", columns, rows)
+        self.done(self.changed, "summary")
+        found = [[row[name] for name in ("what", "fractals", "controls", "fractal", "control", "fractal_is_larger")] for row in table_of(folder / "against_control.csv")]
+        self.assertEqual(found, [["share of the speed that is left at 3 cells", "2", "2", "0.75", "0.125", "1"], ["share of the speed that is left at 9 cells", "2", "2", "0.5", "1", "0"],
+                                 ["fitness in the paper's simulator", "2", "2", "24", "33", "0"], ["fitness with balanced beams", "2", "2", "12", "6", "0.75"]])
+
     def test_refuses_what_it_does_not_know(self):
         self.refused("ham: must be one of one_scale, two_scales", self.script, "champion", self.tree, "ham", "1")
         self.refused("result.toml: cannot be read", self.script, "champion", self.tree, "one_scale", "1")
