@@ -38,7 +38,7 @@ PER_MINUTE = 60.0 / DURATION_S
 LEAST_BODY_LENGTHS = 0.1  # in 5 s, at the smaller scale; whoever goes less stands still, and has nothing to carry over
 BALANCED = "with balanced beams"
 GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_scales": "evolved at two scales",
-          "control_again": "the control, evolved at two scales", "two_scales_again": "evolved at two scales, other seeds",
+          "control_again": "the control, again", "two_scales_again": "evolved at two scales, again",
           "three_scales": "evolved at three scales",
           "random_balanced": f"random robots {BALANCED}", "one_scale_balanced": f"evolved at one scale {BALANCED}",
           "two_scales_balanced": f"evolved at two scales {BALANCED}"}
@@ -390,9 +390,9 @@ def draw_robots(panel, every, family):
     return counts, highest
 
 
-def legend_below(figure, height, columns, handles, labels):
-    """A legend of all panels, on the lowest inches of the figure."""
-    share_of_height = height / figure.get_figheight()
+def legend_below(figure, columns, handles, labels):
+    """A legend of all panels below them."""
+    share_of_height = (0.15 + 0.15 * -(-len(labels) // columns)) / figure.get_figheight()  # in inches: the frame and the rows
     figure.get_layout_engine().set(rect=(0.0, share_of_height, 1.0, 1.0 - share_of_height))
     figure.legend(handles, labels, loc="lower center", ncols=columns)
 
@@ -410,7 +410,7 @@ def draw_all_robots(pyplot, every):
     letter_panels(zip(panels, (SIMULATORS[family] for family in families)))
     entries = [(handle, f"{GROUPS[group]} (n = {' and '.join(map(str, of_group))})")
                for handle, group, of_group in zip(panels[0].collections, ("random", *EVOLVED), zip_longest(*counts, fillvalue=0)) if any(of_group)]
-    legend_below(figure, 0.6, 2, *zip(*entries, (panels[0].lines[0], "in the box: carries over")))
+    legend_below(figure, 2, *zip(*entries, (panels[0].lines[0], "in the box: carries over")))
     settle(figure)
     write_svg(figure, HERE / "scale_invariance.svg")
 
@@ -439,7 +439,7 @@ def draw_all_shares(pyplot, rows, dimensions):
         names = [row["label"].removesuffix(f" {BALANCED}").removeprefix("the ").replace("random robots", "random") for row in shown]
         panels.append((shown, names, f"same at the next scale, {SIMULATORS[family]}"))
     shown = [row for row in dimensions if int(row["robots"]) >= FEWEST_OF_DIMENSION]
-    panels.append((shown, [f"H from {row['dimension_from']} to {row['dimension_to']}" for row in shown], f"random robots by dimension H, {SIMULATORS['random']}"))
+    panels.append((shown, [f"H from {row['dimension_from']} to {row['dimension_to']}" for row in shown], f"random robots by H, {SIMULATORS['random']}"))
     panels = [panel for panel in panels if panel[0]]
     if not panels:
         return
@@ -451,7 +451,7 @@ def draw_all_shares(pyplot, rows, dimensions):
         axis.grid(visible=False, axis="y")
         draw_shares(axis, shown, [f"{name}, {row['cells']} cells (n = {row['robots']})" for name, row in zip(names, shown)])
     axes[-1].set_xlabel("share of robots with 95 % interval (%)")
-    legend_below(figure, 0.3, 4, *axes[-1].get_legend_handles_labels())
+    legend_below(figure, 4, *axes[-1].get_legend_handles_labels())
     settle(figure)
     write_svg(figure, HERE / "carried_over.svg")
 
