@@ -8,8 +8,8 @@ changed_walks.py balanced FOLDER     writes scenes of all champions, those of ..
                                      which champions of some searches have already
 changed_walks.py fourth FOLDER       writes scenes of the champions of three scales at the third and at a fourth one, 81 cells per side
 changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
-changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv, against_control.csv and fourth_statistics.csv of the
-                                     tables that there are
+changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv, against_control.csv, fourth_statistics.csv and
+                                     against_control.svg of the tables that there are
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -28,6 +28,7 @@ from sample_statistics import mcnemar, median, rank_sum, share, share_of_larger,
 from scale_invariance import (ALL_EVOLVED, CELL_EDGE_M, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths,  # noqa: E402
                               carries_over, outcome, robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
+from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa: E402
 
 COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
 ONE_MATERIAL = {"phase_wave": "one material, a wave", "single_actuator": "one material, in phase"}  # searches of other experiments at two scales
@@ -213,6 +214,27 @@ def against_control():
             | share_of_larger(fractals, control).cells("fractal_is_larger") | {"p": rank_sum(fractals, control)} for what, (fractals, control) in measures.items()]
 
 
+def draw_against_control():
+    """The fitness of each champion in the paper's simulator and with balanced beams, a panel for fractals and one for the control; readable where it
+    is printed 6.5 inches wide."""
+    groups = [speeds_of_group(group) for group in FRACTALS_AND_CONTROL]
+    if not all(len(before) for before, _ in groups):
+        return
+    pyplot = pyplot_for_svg()
+    pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
+    figure, axes = pyplot.subplots(1, 2, figsize=(6.5, 2.4), layout="constrained", sharey=True)
+    letter_panels(zip(axes, (f"{name} (n = {len(before)})" for name, (before, _) in zip(("fractals", "control"), groups))))
+    for axis, both, colour in zip(axes, groups, ("#0072B2", "#D55E00")):
+        fitness = np.array([speeds.min(axis=1) for speeds in both])
+        lines = axis.plot((0, 1), fitness, "o-", color=colour, markersize=3, linewidth=0.8, alpha=0.7)
+        (middle,) = axis.plot((0, 1), np.median(fitness, axis=1), "s-", color="black", markersize=4, linewidth=2)
+        axis.set(xticks=(0, 1), xticklabels=("paper's simulator", "balanced beams"), xlim=(-0.3, 1.3))
+        axis.legend((lines[0], middle), ("a robot", "median"), loc="lower left")
+    axes[0].set(ylabel="fitness\n(body lengths per minute)", ylim=(0, 1.05 * max(speeds.min(axis=1).max() for both in groups for speeds in both)))
+    settle(figure)
+    write_svg(figure, HERE / "against_control.svg")
+
+
 def fourth_statistics():
     """Of each champion of three scales, whether it does at the fourth one what it does at the third."""
     rows = []
@@ -244,6 +266,7 @@ def summary():
                        ("against_control", against_control()), ("fourth_statistics", fourth_statistics())):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [{key: cell(value) for key, value in row.items()} for row in rows])
+    draw_against_control()
 
 
 def main(arguments):

@@ -757,6 +757,7 @@ class ScaleInvariance(Case):
         found = [[row[name] for name in ("what", "fractals", "controls", "fractal", "control", "fractal_is_larger")] for row in table_of(folder / "against_control.csv")]
         self.assertEqual(found, [["share of the speed that is left at 3 cells", "2", "2", "0.75", "0.125", "1"], ["share of the speed that is left at 9 cells", "2", "2", "0.5", "1", "0"],
                                  ["fitness in the paper's simulator", "2", "2", "24", "33", "0"], ["fitness with balanced beams", "2", "2", "12", "6", "0.75"]])
+        xml.dom.minidom.parse(str(folder / "against_control.svg"))
 
     def test_refuses_what_it_does_not_know(self):
         self.refused("ham: must be one of one_scale, two_scales", self.script, "champion", self.tree, "ham", "1")
