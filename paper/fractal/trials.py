@@ -6,7 +6,7 @@ trials.py    reads the tables of trials that there are: two_scales/SEED.csv here
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
              again/SEED.csv, again_balanced/SEED.csv, random_search/SEED.csv and three_scales/SEED.csv in both folders
 
-Trials of an arm count up to the last generation that all of them have, so that each can go on at another time. Those that went on stand
+Trials of an arm count up to the last generation that all of them have, or that was planned, so that each can go on at another time. Those that went on stand
 once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared at the
 last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum
 test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their test had been
@@ -43,6 +43,14 @@ from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa:
 
 
 @dataclass(frozen=True)
+class Plan:
+    """With how many trials and generations an arm is tested."""
+
+    trials: int
+    generations: int
+
+
+@dataclass(frozen=True)
 class Arm:
     """Where the tables of its trials are, and how it is drawn."""
 
@@ -53,10 +61,10 @@ class Arm:
     mark: str
     is_fractal: bool = True  # robots of the control are none, and have no dimension
     is_variant: bool = False  # of the paper's experiment or its control: something is changed, if only the seeds
-    planned: tuple[int, int] | None = None  # trials and generations that were planned, of arms that are tested with these, once
+    planned: Plan | None = None  # of arms that are tested once
 
     def is_as_planned(self, trials, generation):
-        return self.planned in (None, (len(trials), generation))
+        return self.planned is None or (len(trials), generation) == (self.planned.trials, self.planned.generations)
 
     def longer(self):
         dashes = {"-": (0, (1, 0.6)), "-.": (0, (5, 1, 1, 1, 1, 1))}.get(self.dashes, (0, (5, 1)))
@@ -73,10 +81,10 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "non_fractal": Arm(NON_FRACTAL / "two_scales", "control", "#D55E00", "-.", "s", is_fractal=False),
         "non_fractal_random_search": Arm(NON_FRACTAL / "random_search", "control at random", "#AA4499", "-", "p", is_fractal=False, is_variant=True),
         "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", "-", "d", is_fractal=False, is_variant=True),
-        "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", "-", "<", is_variant=True, planned=(15, 60)),
-        "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", "-", ">", is_fractal=False, is_variant=True, planned=(15, 60)),
-        "fractal_again_balanced": Arm(HERE / "again_balanced", "fractal, balanced beams", "#0072B2", "-", "8", is_variant=True, planned=(15, 60)),
-        "non_fractal_again_balanced": Arm(NON_FRACTAL / "again_balanced", "control, balanced beams", "#D55E00", "-", "H", is_fractal=False, is_variant=True, planned=(15, 60)),
+        "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", "-", "<", is_variant=True, planned=Plan(15, 60)),
+        "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", "-", ">", is_fractal=False, is_variant=True, planned=Plan(15, 60)),
+        "fractal_again_balanced": Arm(HERE / "again_balanced", "fractal, balanced beams", "#0072B2", "-", "8", is_variant=True, planned=Plan(15, 60)),
+        "non_fractal_again_balanced": Arm(NON_FRACTAL / "again_balanced", "control, balanced beams", "#D55E00", "-", "H", is_fractal=False, is_variant=True, planned=Plan(15, 60)),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", "--", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
@@ -419,7 +427,7 @@ def main(arguments):
         raise InputError(__doc__)
     found = {}
     for name, arm in ARMS.items():
-        found |= arms_of(name, arm.folder, arm.planned and arm.planned[1])
+        found |= arms_of(name, arm.folder, arm.planned.generations if arm.planned else None)
     arms = {name: found[name] for name in DRAWN if name in found}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")

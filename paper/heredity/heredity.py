@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """How much of its parent's speed a mutant keeps, how often it is no new robot, and whether the control's first robots are faster than
-fractals: heredity.csv, inherited.csv, mutants.csv, repeats.csv and first_robots.csv.
+fractals: heredity.csv, inherited.csv, mutants.csv, repeats.csv, first_robots.csv and first_robots_compared.csv.
 
 heredity.py FOLDER    reads FOLDER/ARM-SEED/individuals.csv, which menger export --individuals writes
 
@@ -11,10 +11,11 @@ mutants.csv    of mutants and of robots that are drawn at random: the share whos
                and the share of mutants that are fitter than their parents
 repeats.csv    for each arm: the share of mutants that are robots which the search had before, of all of them and of those of the best robot
                so far
-first_robots.csv
-               of robots that are drawn at random, each once, at each scale and by fitness: how often one of the control is faster than a
-               fractal, and the rank correlation of the speeds at both scales. All of the first generations, and the fractals of
-               ../discrepancies
+first_robots.csv, first_robots_compared.csv
+               of robots that are drawn at random, each once: their speeds, the share of those that go 15 body lengths a minute at both
+               scales, and the rank correlation of both speeds; how often one of the control is faster than a fractal. They are all robots
+               of the first generations of the trials that are there, and the fractals of ../discrepancies; made only if there are trials of
+               all seeds
 
 Mutants of the control, whose larger scale evolves apart, are of two kinds: those that change the body and those that change its arrangement
 alone, which go as fast at 3 cells as their parents. inherited.csv tells those of the body apart, too, by whether the arrangement changes. heredity.csv leaves its trials out.
@@ -31,7 +32,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import mean, median, rank_correlation, rank_sum, share_of_larger, spearman  # noqa: E402
+from sample_statistics import fisher, mean, median, rank_correlation, rank_sum, share, share_of_larger, spearman  # noqa: E402
 from scale_invariance import AT_TWO_SCALES, PER_MINUTE, body_lengths, ends  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 
@@ -44,7 +45,8 @@ ARMS = ("fractal", "in_pieces", "single_cells", "three_cells", "three_cells_sing
 
 
 # Trials at two scales of the same physics and rules, whose first robots are drawn at random and walk at both scales
-FIRST_ROBOTS = {"fractal": ("fractal", "new_mutants", "fractal_again"), "control": ("control", "body_mutants", "control_again")}
+# (arms of the same seeds, which have the same first robots, together).
+FIRST_ROBOTS = {"fractals": (("fractal", "new_mutants"), ("fractal_again",)), "control": (("control", "body_mutants"), ("control_again",))}
 
 
 def speeds_of(rows, level):
@@ -167,27 +169,44 @@ def repeats(arm, trials):
 
 
 def first_speeds(arms):
-    """The speeds of fractals and of the control's robots at both scales, of those that walk at both: {kind: array (robots, scales)}."""
+    """The speeds of fractals and of the control's robots at both scales, of those that walk at both: {kind: array (robots, scales)}; nothing
+    where trials of some seeds are not there."""
+    if not all(set(names) & set(arms) for of_kind in FIRST_ROBOTS.values() for names in of_kind):
+        return {}
     file = AT_TWO_SCALES["random"]
-    others = {"fractal": read_table(file) if file.exists() else [], "control": []}
+    rows = {kind: [row for names in of_kind for name in names for trial in arms.get(name, []) for row in trial.first] for kind, of_kind in FIRST_ROBOTS.items()}
+    rows["fractals"] += read_table(file) if file.exists() else []
     speeds = {}
-    for kind, names in FIRST_ROBOTS.items():
-        robots = {row["phenotype"]: row for row in [row for name in names for trial in arms.get(name, []) for row in trial.first] + others[kind]}
-        both = np.array([speeds_of(list(robots.values()), level) for level in LEVELS]).T
+    for kind, of_kind in rows.items():
+        robots = list({row["phenotype"]: row for row in of_kind}.values())
+        both = np.array([speeds_of(robots, level) for level in LEVELS]).T
         speeds[kind] = both[np.isfinite(both).all(axis=1)]
     return speeds
 
 
+def by_scale(both):
+    """The speeds at each scale, and the fitness."""
+    return {f"{3**level} cells": both[:, at] for at, level in enumerate(LEVELS)} | {"fitness": both.min(axis=1)}
+
+
+def fast_count(speeds):
+    return int(np.sum(speeds >= FAST_PER_MINUTE))
+
+
 def first_robots(speeds):
-    for what, of_both in (*((f"{3**level} cells", lambda both, at=at: both[:, at]) for at, level in enumerate(LEVELS)), ("fitness", lambda both: both.min(axis=1))):
-        fractals, control = (of_both(speeds[kind]) for kind in FIRST_ROBOTS)
-        row = {"speed": what, "fractals": len(fractals), "control": len(control)} | median(fractals).cells("fractal_median") | median(control).cells("control_median")
-        yield row | share_of_larger(control, fractals).cells("control_is_faster") | {"p": rank_sum(control, fractals)}
+    """Of each kind: medians, the share of fast ones, and the rank correlation of the speeds at both scales."""
+    for kind, both in speeds.items():
+        row = {"kind": kind, "robots": len(both)}
+        for name, of_scale in by_scale(both).items():
+            row |= median(of_scale).cells(f"{name.replace(' ', '_')}_median")
+        yield row | share(fast_count(both.min(axis=1)), len(both)).cells("fast") | spearman(*both.T).cells("spearman")
 
 
-def correlations(speeds):
-    """Of both scales."""
-    return {f"{kind}_spearman{end}": value for kind in FIRST_ROBOTS for end, value in zip(("", "_low", "_high"), spearman(*speeds[kind].T).cells("").values())}
+def first_robots_compared(speeds):
+    """How often one of the control is faster than a fractal, and whether the shares of fast ones differ."""
+    for name, fractals, control in ((name, fractals, by_scale(speeds["control"])[name]) for name, fractals in by_scale(speeds["fractals"]).items()):
+        yield {"speed": name} | share_of_larger(control, fractals).cells("control_is_faster") | {
+            "p": rank_sum(control, fractals), "p_fast": fisher(fast_count(control), len(control), fast_count(fractals), len(fractals))}
 
 
 # The rows of each table, and the arms that it has
@@ -211,10 +230,10 @@ def main(arguments):
         if rows:
             rows.sort(key=lambda row: ARMS.index(row["arm"]))
             write_table(file, list(rows[0]), rows)
-    speeds = first_speeds(arms)
-    if all(len(both) for both in speeds.values()):
-        rows = [{key: cell(value) for key, value in (row | correlations(speeds)).items()} for row in first_robots(speeds)]
-        write_table(HERE / "first_robots.csv", list(rows[0]), rows)
+    if speeds := first_speeds(arms):
+        for name, rows_of_first in (("first_robots", first_robots), ("first_robots_compared", first_robots_compared)):
+            rows = [{key: cell(value) for key, value in row.items()} for row in rows_of_first(speeds)]
+            write_table(HERE / f"{name}.csv", list(rows[0]), rows)
 
 
 if __name__ == "__main__":

@@ -45,7 +45,8 @@ SIMILAR_LABELS = {"as_it_is": "as it is", "weight": "gravity x 3", "stiffness": 
 BALANCED = {"as_it_is": {}, "balanced": {"materials": {"beam_moments": "balanced"}}, "half_step": {"integration": {"time_step_fraction": 0.45}}}
 BALANCED_LABELS = {"balanced": "balanced moments", "half_step": "half the time step"}
 BALANCED_LEVELS = (1, 2)
-FRACTALS_AND_CONTROL = ("two_scales_again", "control_again")  # champions of trials with equal rules, of as many generations
+CONTROL = "control_again"
+FRACTALS = {"two_scales_again": "fractals, again", "two_scales": "fractals"}  # of the same rules; the former have as many generations as the control
 FOURTH_LEVELS = (3, 4)
 LEAST_SHARE = 0.5  # of its speed, which a champion keeps
 
@@ -127,15 +128,16 @@ def fourth_scenes(folder):
 
 def take(folder, table):
     """Walks that are not there yet, or were stopped, or of robots that are gone, have no row, and failed ones no ends."""
-    phenotypes = {(robot["group"], robot["seed"]): robot["phenotype"] for robot in robots_of_searches()}
+    champions_now = {(robot["group"], robot["seed"]): robot for robot in robots_of_searches()}
     rows = []
     for file in sorted(folder.glob("*.toml"), key=lambda file: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", file.stem)]):
         group, seed, level, change = file.stem.split("-")
         result = folder / file.stem / "result.toml"
-        if (group, seed) not in phenotypes or not result.exists() or (found := read_toml(result)).get("status") == "stopped":
+        robot, design = champions_now.get((group, seed)), read_toml(file)["design"]
+        if robot is None or design["digits"] != design_of(robot, int(level))["digits"] or not result.exists() or (found := read_toml(result)).get("status") == "stopped":
             continue
         ends_m = [cell(value, 6) for value in found.get("displacement_m", ["", ""])[:2]]
-        rows.append(dict(zip(COLUMNS, [group, seed, phenotypes[group, seed], level, change, *ends_m])))
+        rows.append(dict(zip(COLUMNS, [group, seed, robot["phenotype"], level, change, *ends_m])))
     write_table(HERE / f"{table}.csv", COLUMNS, rows)
 
 
@@ -194,43 +196,52 @@ def balanced_statistics():
 
 
 def speeds_of_group(group):
-    """The speeds of its champions at both scales, in body lengths a minute: as they are, and with balanced beams. Two arrays (robots, scales)."""
-    walks = [found for (name, _), found in walks_of("balanced", np.zeros(2)).items() if name == group]
+    """The speeds at both scales, in body lengths a minute, of its champions that move at both: as they are, and with balanced beams. Two arrays
+    (robots, scales)."""
     wanted = [[(level, change) for level in BALANCED_LEVELS] for change in ("as_it_is", "balanced")]
-    walks = [found for found in walks if all(walk in found for change in wanted for walk in change)]
-    return [PER_MINUTE * np.array([[body_lengths(found[walk], walk[0]) for walk in change] for found in walks]) for change in wanted]
+    speeds = [[[body_lengths(found[walk], walk[0]) for walk in change] for change in wanted] for (name, _), found in walks_of("balanced", np.zeros(2)).items()
+              if name == group and all(walk in found for change in wanted for walk in change)]
+    moving = [both for both in speeds if min(both[0]) >= LEAST_BODY_LENGTHS]
+    return PER_MINUTE * np.array(moving).reshape(-1, 2, len(BALANCED_LEVELS)).transpose(1, 0, 2)
 
 
 def against_control():
     """What balanced beams leave of the speed of champions at each scale, and of their fitness, the slower of both speeds: fractals against the
     control."""
-    before, after = zip(*(speeds_of_group(group) for group in FRACTALS_AND_CONTROL))
-    if not all(map(len, before)):
-        return []
-    left = [one / other for one, other in zip(after, before)]
-    measures = {f"share of the speed that is left at {3**level} cells": [one[:, at] for one in left] for at, level in enumerate(BALANCED_LEVELS)}
-    measures |= {"fitness in the paper's simulator": [one.min(axis=1) for one in before], "fitness with balanced beams": [one.min(axis=1) for one in after]}
-    return [{"what": what, "fractals": len(fractals), "controls": len(control)} | median(fractals).cells("fractal") | median(control).cells("control")
-            | share_of_larger(fractals, control).cells("fractal_is_larger") | {"p": rank_sum(fractals, control)} for what, (fractals, control) in measures.items()]
+    control = measures_of(*speeds_of_group(CONTROL))
+    rows = []
+    for group, label in FRACTALS.items():
+        for what, fractals in measures_of(*speeds_of_group(group)).items():
+            if len(fractals) and len(control[what]):
+                rows.append({"group": group, "what": what, "label": label, "robots": len(fractals), "controls": len(control[what])}
+                            | median(fractals).cells("fractal") | median(control[what]).cells("control")
+                            | share_of_larger(fractals, control[what]).cells("fractal_is_larger") | {"p": rank_sum(fractals, control[what])})
+    return rows
+
+
+def measures_of(before, after):
+    left = {f"share of the speed that is left at {3**level} cells": (after / before)[:, at] for at, level in enumerate(BALANCED_LEVELS)}
+    return left | {"fitness in the paper's simulator": before.min(axis=1), "fitness with balanced beams": after.min(axis=1)}
 
 
 def draw_against_control():
-    """The fitness of each champion in the paper's simulator and with balanced beams, a panel for fractals and one for the control; readable where it
-    is printed 6.5 inches wide."""
-    groups = [speeds_of_group(group) for group in FRACTALS_AND_CONTROL]
-    if not all(len(before) for before, _ in groups):
+    """The fitness of each champion in the paper's simulator and with balanced beams, a panel for each kind; readable where it is printed 6.5 inches
+    wide."""
+    groups = {label: ("#0072B2", speeds_of_group(group)) for group, label in FRACTALS.items()}
+    groups["control, again"] = ("#D55E00", speeds_of_group(CONTROL))
+    if not all(speeds.size for _, speeds in groups.values()):
         return
     pyplot = pyplot_for_svg()
     pyplot.rcParams |= {"font.size": 8, "legend.fontsize": 7.5}
-    figure, axes = pyplot.subplots(1, 2, figsize=(6.5, 2.4), layout="constrained", sharey=True)
-    letter_panels(zip(axes, (f"{name} (n = {len(before)})" for name, (before, _) in zip(("fractals", "control"), groups))))
-    for axis, both, colour in zip(axes, groups, ("#0072B2", "#D55E00")):
-        fitness = np.array([speeds.min(axis=1) for speeds in both])
+    figure, axes = pyplot.subplots(1, len(groups), figsize=(6.5, 2.4), layout="constrained", sharey=True)
+    letter_panels(zip(axes, (f"{name} (n = {speeds.shape[1]})" for name, (_, speeds) in groups.items())))
+    for axis, (colour, speeds) in zip(axes, groups.values()):
+        fitness = speeds.min(axis=2)
         lines = axis.plot((0, 1), fitness, "o-", color=colour, markersize=3, linewidth=0.8, alpha=0.7)
         (middle,) = axis.plot((0, 1), np.median(fitness, axis=1), "s-", color="black", markersize=4, linewidth=2)
-        axis.set(xticks=(0, 1), xticklabels=("paper's simulator", "balanced beams"), xlim=(-0.3, 1.3))
-        axis.legend((lines[0], middle), ("a robot", "median"), loc="lower left")
-    axes[0].set(ylabel="fitness\n(body lengths per minute)", ylim=(0, 1.05 * max(speeds.min(axis=1).max() for both in groups for speeds in both)))
+        axis.set(xticks=(0, 1), xticklabels=("paper's\nsimulator", "balanced\nbeams"), xlim=(-0.3, 1.3))
+    axes[-1].legend((lines[0], middle), ("a robot", "median"), loc="upper right")
+    axes[0].set(ylabel="fitness\n(body lengths per minute)", ylim=(0, 1.05 * max(speeds.min(axis=2).max() for _, speeds in groups.values())))
     settle(figure)
     write_svg(figure, HERE / "against_control.svg")
 

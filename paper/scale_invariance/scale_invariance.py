@@ -3,7 +3,8 @@
 
 scale_invariance.py random INDIVIDUALS.csv           puts the random robots into robots.csv, of what menger export wrote
 scale_invariance.py random_balanced INDIVIDUALS.csv  the same of random robots with beams whose moments balance their forces
-scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels
+scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels, of
+                                                     the control at two
 scale_invariance.py summary                          makes statistics.csv, slowest.csv, comparisons.csv, thresholds.csv, dimension.csv,
                                                      dimension_tests.csv, scale_invariance.svg (each robot) and carried_over.svg (shares of
                                                      robots)

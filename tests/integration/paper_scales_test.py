@@ -689,11 +689,11 @@ class ScaleInvariance(Case):
         filled = {n: digit for n, digit in enumerate(arranged["digits"]) if digit != "0"}
         self.assertEqual(filled, {0: "1", 1: "2", 3: "1", 4: "2", 243 + 3: "1", 243 + 4: "2"}, "three layers up there are 3 x 81 cells before it")
         self.walked(folder, control_again__1016__2__as_it_is=0.09)
-        for robots_left, rows in ((1, 1), (0, 0)):
-            self.champions([["control_again", 1016, "|".join(digits), 0.01, 0.0, 0.02, 0.0, "", ""]][:robots_left])
+        for robots, rows in (([digits], 1), ([(body(1), *digits[1:])], 0), ([], 0)):
+            self.champions([["control_again", 1016, "|".join(parts), 0.01, 0.0, 0.02, 0.0, "", ""] for parts in robots])
             self.done(self.changed, "take", folder, "balanced")
             taken = table_of(self.tree / "paper/scale_invariance/balanced.csv")
-            self.assertEqual([row["phenotype"] for row in taken], ["|".join(digits)] * rows, "robots that are gone have no row")
+            self.assertEqual([row["phenotype"] for row in taken], ["|".join(digits)] * rows, "robots that are gone, or others now, have no row")
 
     def test_champions_of_three_scales_walk_at_a_fourth_one(self):
         self.champions([[group, 1, body(1), 0.03, 0.0, 0.09, 0.0, 0.27, 0.0] for group in ("two_scales", "three_scales")])
@@ -739,8 +739,9 @@ class ScaleInvariance(Case):
         self.assertEqual([found["two_scales", "balanced"][name] for name in ("robots", "ratio", "keep_half")], ["2", "0.5", "0.5"])
 
     def test_champions_of_fractals_and_of_the_control_may_live_on_the_fault(self):
-        # Speeds in body lengths of a walk at 3 and 9 cells, as they are and with balanced beams. The last one of each group has not walked at both.
-        speeds = {"two_scales_again": [((2, 2), (2, 1)), ((3, 2), (1.5, 1))], "control_again": [((4, 3), (1, 3)), ((4, 2.5), (0, 2.5))]}
+        # Speeds in body lengths of a walk at 3 and 9 cells, as they are and with balanced beams. The last but one of each group stands still at
+        # 9 cells, the last one has not walked there.
+        speeds = {"two_scales_again": [((2, 2), (2, 1)), ((3, 2), (1.5, 1)), ((2, 0), (2, 2))], "control_again": [((4, 3), (1, 3)), ((4, 2.5), (0, 2.5)), ((2, 0.05), (2, 2))]}
         rows = []
         for group, robots in speeds.items():
             for seed, changes in enumerate(robots):
@@ -749,14 +750,18 @@ class ScaleInvariance(Case):
             rows.append([group, 9, body(9), 1, "as_it_is", 0.3, 0.0])
         folder = self.tree / "paper/scale_invariance"
         columns = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
-        write(folder / "balanced.csv", columns, rows[:10])
+        write(folder / "balanced.csv", columns, rows[:13])
         self.done(self.changed, "summary")
         self.assertFalse((folder / "against_control.csv").exists(), "there is none of the control")
         write(folder / "balanced.csv", columns, rows)
         self.done(self.changed, "summary")
-        found = [[row[name] for name in ("what", "fractals", "controls", "fractal", "control", "fractal_is_larger")] for row in table_of(folder / "against_control.csv")]
+        found = [[row[name] for name in ("what", "robots", "controls", "fractal", "control", "fractal_is_larger")] for row in table_of(folder / "against_control.csv")]
         self.assertEqual(found, [["share of the speed that is left at 3 cells", "2", "2", "0.75", "0.125", "1"], ["share of the speed that is left at 9 cells", "2", "2", "0.5", "1", "0"],
                                  ["fitness in the paper's simulator", "2", "2", "24", "33", "0"], ["fitness with balanced beams", "2", "2", "12", "6", "0.75"]])
+        self.assertFalse((folder / "against_control.svg").exists(), "it shows the first trials of fractals, too")
+        write(folder / "balanced.csv", columns, rows + [["two_scales", *row[1:]] for row in rows[:8]])
+        self.done(self.changed, "summary")
+        self.assertEqual({row["group"] for row in table_of(folder / "against_control.csv")}, {"two_scales", "two_scales_again"})
         xml.dom.minidom.parse(str(folder / "against_control.svg"))
 
     def test_refuses_what_it_does_not_know(self):
@@ -1137,18 +1142,20 @@ class Heredity(Case):
             write(self.tree / "found" / trial / "individuals.csv", columns, [*rows, [1, 99, rows[0][1], body(99) + rows[0][3][27:], "", "", "", "", ""]])
 
         search("fractal_again-11", drawn(0, 1, 1), drawn(1, 2, 3), drawn(2, 9, None), drawn(3, 9, 9, generation=1))  # who did not walk, or comes later, does not count
-        self.done("heredity/heredity.py", self.tree / "found")
-        self.assertFalse((self.tree / "paper/heredity/first_robots.csv").exists(), "there is none of the control")
         search("new_mutants-1", drawn(1, 2, 3))  # once
         write(self.tree / "paper/discrepancies/walks/text.csv", columns[3:], [drawn(4, 3, 2)[3:]])
         arrangement = "|" + "1" * 27 + "|" + "0" * 13 + "1" + "0" * 13
-        search("control_again-1016", drawn(0, 2.5, 4, arrangement), drawn(1, 4, 1.5, arrangement))
+        search("control_again-1016", drawn(0, 2.5, 4, arrangement))
         self.done("heredity/heredity.py", self.tree / "found")
-        found = {row["speed"]: row for row in table_of(self.tree / "paper/heredity/first_robots.csv")}
-        self.assertEqual({name: [row[column] for column in ("fractals", "control", "fractal_median", "control_median", "control_is_faster")] for name, row in found.items()},
-                         {"3 cells": ["3", "2", "24", "39", f"{5 / 6:.4g}"], "9 cells": ["3", "2", "24", "33", f"{4 / 6:.4g}"],
-                          "fitness": ["3", "2", "24", "24", f"{4 / 6:.4g}"]}, "1.5 and 2.5 against 1, 2 and 2")
-        self.assertEqual([float(found["fitness"][f"{kind}_spearman"]) for kind in ("fractal", "control")], [0.5, -1.0])
+        self.assertFalse((self.tree / "paper/heredity/first_robots.csv").exists(), "those of the first seeds of the control are missing")
+        search("body_mutants-1001", drawn(1, 4, 1.2, arrangement))
+        self.done("heredity/heredity.py", self.tree / "found")
+        kinds = table_of(self.tree / "paper/heredity/first_robots.csv")
+        # 15 body lengths a minute are 1.25 in a walk.
+        self.assertEqual([[row[name] for name in ("kind", "robots", "3_cells_median", "9_cells_median", "fitness_median", "fast", "spearman")] for row in kinds],
+                         [["fractals", "3", "24", "24", "24", f"{2 / 3:.4g}", "0.5"], ["control", "2", "39", f"{12 * 2.6:.4g}", f"{12 * 1.85:.4g}", "0.5", "-1"]])
+        compared = {row["speed"]: (row["control_is_faster"], row["p_fast"]) for row in table_of(self.tree / "paper/heredity/first_robots_compared.csv")}
+        self.assertEqual(compared, {"3 cells": (f"{5 / 6:.4g}", "1"), "9 cells": (f"{4 / 6:.4g}", "1"), "fitness": (f"{4 / 6:.4g}", "1")}, "1.2 and 2.5 against 1, 2 and 2")
 
     def test_tells_what_all_mutants_inherit_of_whom_both_scales_do_not_walk(self):
         # Searches at 9 cells alone: mutants of one cell keep their speed, those of two go the other way round; one equals its parent and does not count.
