@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, comparisons.csv, on_the_way.csv,
-equal_evaluations.csv, trials.svg and variants.svg.
+"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, scales.csv, comparisons.csv,
+on_the_way.csv, equal_evaluations.csv, trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
@@ -12,7 +12,8 @@ last generation that both have (on_the_way.csv: every twentieth before it; equal
 test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their test had been
 looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
 comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/ without the
-fault of the simulator: fifteen of each kind, of 60 generations, are tested once. The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
+fault of the simulator: fifteen of each kind, of 60 generations, are tested once. scales.csv has each scale of the best robots by itself.
+The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
 test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
 compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
 more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in
@@ -98,6 +99,7 @@ COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"
                ("non_fractal", "non_fractal_body_mutants"), ("fractal", "non_fractal_body_mutants"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
 STRIDE = 20  # generations between comparisons on the way, and between looks at the test
+EARLY = 20  # generations
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
 
 
@@ -169,7 +171,8 @@ def times_looks(p, looked):
 def dimensions_of(arm, trials):
     """How many fractal trials end with nine cells, as a plane has, between 2.5 and 2.7, or with another dimension; nothing for others."""
     names = ("dimension_2", "dimension_2.5_to_2.7", "dimension_other")
-    row = {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")} | dict.fromkeys(("dimension_p_paper", "dimension_p_looks", "dimension_outcome"))
+    row = {f"{name}{end}": None for name in names for end in ("", "_share", "_low", "_high")} | dict.fromkeys(
+        ("dimension_p_paper", "dimension_p_looks", "dimension_outcome", "early_cubes", "early_cubes_outcome"))
     if not DRAWN[arm].is_fractal:
         return row
     ends = [trial.dimension[-1] for trial in trials]
@@ -180,7 +183,9 @@ def dimensions_of(arm, trials):
         row |= {name: count, f"{name}_share": found.value, f"{name}_low": found.low, f"{name}_high": found.high}
     p = freeman_halton(counts, PAPER_DIMENSIONS)
     p_looks = times_looks(p, looks(len(trials[0].best) - 1, arm))
-    return row | {"dimension_p_paper": p, "dimension_p_looks": p_looks, "dimension_outcome": "differs" if tells_apart(p_looks) else "open"}
+    cubes = sum(bool(np.any(trial.dimension[:EARLY + 1] > 3.0 - 1e-9)) for trial in trials)  # trials whose best robot was a full cube early
+    return row | {"dimension_p_paper": p, "dimension_p_looks": p_looks, "dimension_outcome": "differs" if tells_apart(p_looks) else "open",
+                  "early_cubes": cubes, "early_cubes_outcome": "reproduced" if cubes else "open"}
 
 
 def statistics(arms):
@@ -198,6 +203,26 @@ def statistics(arms):
                     | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1, arm), "p_scales": signed_rank(smaller, larger),
                        "p_scales_rank_sum": rank_sum(smaller, larger)}
                     | leads_of(trials, levels) | dimensions_of(arm, trials))
+    return rows
+
+
+def scales(arms):
+    """Each scale of the best robots by itself: in how many trials it ends faster than it began, and of all changes from one best robot to the next how
+    many make it faster. In how many trials it is the fastest scale at the end, and at least twice as fast as the next one."""
+    rows = []
+    for arm, trials in arms.items():
+        levels = list(trials[0].speeds)
+        for level in levels:
+            speeds = [found for trial in trials if len(found := trial.speeds[level][np.isfinite(trial.speeds[level])])]
+            steps = np.concatenate([np.diff(of_trial) for of_trial in speeds])
+            changes = int(np.sum(steps != 0.0))
+            if not changes:
+                continue
+            rises = share(sum(of_trial[-1] > of_trial[0] for of_trial in speeds), len(speeds))
+            upwards = share(int(np.sum(steps > 0.0)), changes)
+            others = [(trial.last_speed(level), max((trial.last_speed(other) for other in levels if other != level), default=np.inf)) for trial in trials]
+            rows.append({"arm": arm, "cells_per_side": 3**level, "trials": len(speeds)} | rises.cells("rises") | {"rises_outcome": OUTCOMES[verdict(rises, 0.5)], "changes": changes}
+                        | upwards.cells("upwards") | {"is_fastest": sum(one > other for one, other in others), "is_twice_as_fast": sum(one >= 2.0 * other for one, other in others)})
     return rows
 
 
@@ -431,7 +456,7 @@ def main(arguments):
     arms = {name: found[name] for name in DRAWN if name in found}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")
-    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("comparisons", comparisons(arms)),
+    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("scales", scales(arms)), ("comparisons", comparisons(arms)),
                        ("on_the_way", on_the_way(arms)), ("equal_evaluations", at_equal_evaluations(arms))):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])

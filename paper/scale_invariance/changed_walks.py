@@ -8,8 +8,8 @@ changed_walks.py balanced FOLDER     writes scenes of all champions, those of ..
                                      which champions of some searches have already
 changed_walks.py fourth FOLDER       writes scenes of the champions of three scales at the third and at a fourth one, 81 cells per side
 changed_walks.py take FOLDER TABLE   makes TABLE.csv of what menger simulate wrote for the scenes of a folder
-changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv, against_control.csv, fourth_statistics.csv and
-                                     against_control.svg of the tables that there are
+changed_walks.py summary             makes similar_statistics.csv, balanced_statistics.csv, one_material.csv, against_control.csv, fourth_statistics.csv
+                                     and against_control.svg of the tables that there are
 
 Exit codes: 0 done, 2 wrong input.
 """
@@ -195,6 +195,25 @@ def balanced_statistics():
     return rows
 
 
+def one_material():
+    """Whether each robot of one material does at 9 cells what it does at 3, as it is and with something changed."""
+    rows = []
+    for (group, seed), found in walks_of("balanced").items():
+        for change in BALANCED if group in ONE_MATERIAL else ():
+            ends_m = [found.get((level, change)) for level in BALANCED_LEVELS]
+            if all(end_m is not None for end_m in ends_m):
+                rows.append({"group": group, "seed": seed, "change": change, "label": ONE_MATERIAL[group], "changed": BALANCED_LABELS.get(change, "as it is")} | next_scale(*ends_m))
+    return rows
+
+
+def next_scale(lower_m, upper_m):
+    """Of one robot: the angle between its ways, how many times as fast it is at the larger scale, and whether it carries over."""
+    found = angle_and_factor(lower_m[np.newaxis], upper_m[np.newaxis])
+    carried_over = bool(carries_over(*found)[0])
+    return {"angle_deg": float(found[0][0]), "speed_factor": float(found[1][0]), "carries_over": "yes" if carried_over else "no",
+            "outcome": "reproduced" if carried_over else "open"}  # of the paper's claim that there is such a robot
+
+
 def speeds_of_group(group):
     """The speeds at both scales, in body lengths a minute, of its champions that move at both: as they are, and with balanced beams. Two arrays
     (robots, scales)."""
@@ -253,11 +272,7 @@ def fourth_statistics():
         ends_m = [found.get((level, "as_it_is")) for level in FOURTH_LEVELS]
         if any(end_m is None for end_m in ends_m):
             continue
-        lower_m, upper_m = (end_m[np.newaxis] for end_m in ends_m)
-        angle, factor = angle_and_factor(lower_m, upper_m)
-        row = {"group": group, "seed": seed, "angle_deg": float(angle[0]), "speed_factor": float(factor[0]),
-               "carries_over": "yes" if carries_over(angle, factor)[0] else "no"}
-        rows.append(row | {f"level_{level}_per_minute": float(body_lengths(end_m, level)) * PER_MINUTE for level, end_m in zip(FOURTH_LEVELS, ends_m)})
+        rows.append({"group": group, "seed": seed} | next_scale(*ends_m) | {f"level_{level}_per_minute": float(body_lengths(end_m, level)) * PER_MINUTE for level, end_m in zip(FOURTH_LEVELS, ends_m)})
     return rows
 
 
@@ -273,7 +288,7 @@ def kept(before_m, after_m, level):
 
 
 def summary():
-    for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics()),
+    for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics()), ("one_material", one_material()),
                        ("against_control", against_control()), ("fourth_statistics", fourth_statistics())):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [{key: cell(value) for key, value in row.items()} for row in rows])

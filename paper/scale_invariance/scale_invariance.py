@@ -5,9 +5,9 @@ scale_invariance.py random INDIVIDUALS.csv           puts the random robots into
 scale_invariance.py random_balanced INDIVIDUALS.csv  the same of random robots with beams whose moments balance their forces
 scale_invariance.py champion EXPORT GROUP SEED       adds the champion of a search, which menger export simulated at three levels, of
                                                      the control at two
-scale_invariance.py summary                          makes statistics.csv, slowest.csv, comparisons.csv, thresholds.csv, dimension.csv,
-                                                     dimension_tests.csv, scale_invariance.svg (each robot) and carried_over.svg (shares of
-                                                     robots)
+scale_invariance.py summary                          makes statistics.csv, all_scales.csv, slowest.csv, designs.csv, comparisons.csv,
+                                                     thresholds.csv, dimension.csv, dimension_tests.csv, scale_invariance.svg (each robot)
+                                                     and carried_over.svg (shares of robots)
 
 changed_walks.py has the walks of champions with something changed.
 
@@ -265,8 +265,51 @@ def statistics_of(group, label, rows, lower, upper):
             "p_by_chance": pairing_p(pairs["carried_over"])}
     others = share(len(lower_m) - int(carries_over(*angle_and_factor(lower_m, upper_m)).sum()), len(lower_m))
     row["most_differ_outcome"] = OUTCOMES[verdict(others, 0.5)]  # whether fewer than half carry over
+    farther = share(int((3.0 * angle_and_factor(lower_m, upper_m)[1] > 1.0).sum()), len(lower_m))  # in metres
+    row |= farther.cells("larger_is_farther") | {"larger_is_farther_outcome": OUTCOMES[verdict(farther, 0.5)]}
     row |= which_is_slower(rows, lower, upper)
     return {key: cell(value) for key, value in row.items()}
+
+
+def by_chance_twice(first, second):
+    """How often three different robots match: the way of one at the lowest level that of the second at the middle one, and that of the second that
+    of the third at the highest. None of fewer than three.
+
+    @param first, second what of_all_pairs gives for both steps"""
+    others = ~np.eye(len(first), dtype=bool)
+    first, second = first & others, second & others
+    number = len(first)
+    return (first.sum(axis=0) @ second.sum(axis=1) - (first * second.T).sum()) / (number * (number - 1) * (number - 2)) if number > 2 else None
+
+
+def at_all_scales(sets):
+    """Of the robots of each group that move at the two smallest levels and end their walks at all three: how many carry over at both steps. A group
+    with one such robot shows that there are some."""
+    made = []
+    for group, (label, rows) in sets.items():
+        there = that_move(that_move(rows, *LEVELS[:2]), *LEVELS[1:])
+        if there:
+            steps = [of_all_pairs(ends(there, lower), ends(there, lower + 1))["carried_over"] for lower in LEVELS[:-1]]
+            found = share(int(np.logical_and(*(step.diagonal() for step in steps)).sum()), len(there))
+            row = {"group": group, "label": label, "robots": len(there)} | found.cells("carried_over") | {"by_chance": by_chance_twice(*steps), "found_outcome": "reproduced" if found.value > 0.0 else "open"}
+            made.append({key: cell(value) for key, value in row.items()})
+    return made
+
+
+def body_but_for_symmetry(phenotype):
+    """The digits of a body, the smallest of those of all its mirror images and rotations about the vertical, which walk alike."""
+    cells = np.array(list(phenotype), dtype=int).reshape(3, 3, 3)
+    return min("".join(map(str, np.rot90(one, quarter, (1, 2)).flat)) for one in (cells, cells[:, :, ::-1]) for quarter in range(4))
+
+
+def different_designs(every):
+    """How many different bodies the searches of each group end with."""
+    made = []
+    for group in ALL_EVOLVED:
+        bodies = [body_but_for_symmetry(row["phenotype"]) for row in every.get(group, []) if "|" not in row["phenotype"]]
+        if len(bodies) > 1:
+            made.append({"group": group, "label": GROUPS[group], "robots": str(len(bodies)), "different": str(len(set(bodies))), "outcome": "reproduced" if len(set(bodies)) > 1 else "not reproduced"})
+    return made
 
 
 def comparisons(every):
@@ -356,17 +399,11 @@ def summary():
     if not rows:
         raise InputError(f"{HERE / 'robots.csv'}: has no robot with two levels")
     write_table(HERE / "statistics.csv", list(rows[0]), rows)
-    if slowest := largest_is_the_slowest(sets):
-        write_table(HERE / "slowest.csv", list(slowest[0]), slowest)
-    if compared := comparisons(every):
-        write_table(HERE / "comparisons.csv", list(compared[0]), compared)
-    if other_thresholds := thresholds(every):
-        write_table(HERE / "thresholds.csv", list(other_thresholds[0]), other_thresholds)
-    if tests := dimension_tests(every.get("random", [])):
-        write_table(HERE / "dimension_tests.csv", list(tests[0]), tests)
     dimensions = by_dimension(every.get("random", []), 1, 2) + by_dimension(every.get("random", []), 2, 3)
-    if dimensions:
-        write_table(HERE / "dimension.csv", list(dimensions[0]), dimensions)
+    for name, of_table in (("all_scales", at_all_scales(sets)), ("slowest", largest_is_the_slowest(sets)), ("designs", different_designs(every)), ("comparisons", comparisons(every)),
+                           ("thresholds", thresholds(every)), ("dimension_tests", dimension_tests(every.get("random", []))), ("dimension", dimensions)):
+        if of_table:
+            write_table(HERE / f"{name}.csv", list(of_table[0]), of_table)
     draw(every, rows, dimensions)
 
 

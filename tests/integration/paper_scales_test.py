@@ -552,6 +552,27 @@ class ScaleInvariance(Case):
         # Differences of 1, 1.1, 0.9 and -0.97: rank 2 of 4 is against the others, as far as which are 3 of 16 choices of signs on either side.
         self.assertAlmostEqual(float(row["p_scales"]), 6 / 16, delta=1e-4)
 
+    def test_finds_robots_that_do_the_same_at_all_scales(self):
+        # Three of four go on as they did at the second step, two at the first; one does at both. The fifth ends no walk at 27 cells.
+        ends = ([0.06, 0, 0.18, 0, 0.54, 0], [0.06, 0, 0.18, 0, 0, 0.54], [0.06, 0, 0, 0.18, 0, 0.54], [0.06, 0, 0, 0.18, 0, 0.54], [0.06, 0, 0.18, 0, "", ""])
+        self.champions([["two_scales", n, body(n), *walk] for n, walk in enumerate(ends)])
+        self.done(self.script, "summary")
+        folder = self.tree / "paper/scale_invariance"
+        (row,) = table_of(folder / "all_scales.csv")
+        self.assertEqual([row[name] for name in ("robots", "carried_over", "found_outcome")], ["4", "0.25", "reproduced"])
+        # All go along x at first, two of them at 9 cells (0 and 1), and at 27 only the first one. Of the 24 triples of different robots those match whose
+        # second one is 1, and whose third one is 0: the first one is 2 or 3. And those whose second one is 0 have no third one.
+        self.assertEqual(row["by_chance"], f"{2 / 24:.4g}")
+
+    def test_tells_how_many_designs_differ(self):
+        # A body, its mirror image, the body turned by a quarter, and another one.
+        plain, walk = "110100000" + "0" * 18, [0.06, 0, 0.18, 0, "", ""]
+        other = "111100000" + "0" * 18
+        self.champions([["two_scales", n, digits, *walk] for n, digits in enumerate([plain, "011001000" + "0" * 18, "000100110" + "0" * 18, other, "120" + "0" * 24])])
+        self.done(self.script, "summary")
+        (row,) = table_of(self.tree / "paper/scale_invariance/designs.csv")
+        self.assertEqual([row[name] for name in ("group", "robots", "different", "outcome")], ["two_scales", "5", "3", "reproduced"])
+
     def test_the_largest_scale_may_be_the_slowest(self):
         # Body lengths at 3, 9 and 27 cells: 2, 2, 1; 2, 1, 1.5; 0.02, 0.02, 1; one that stands still, one that failed at 27.
         ends = ([0.06, 0, 0.18, 0, 0.27, 0], [0.06, 0, 0.09, 0, 0.405, 0], [0.0006, 0, 0.0018, 0, 0.27, 0], [0.0006] + [0] * 5, [0.06, 0, 0.18, 0, "", ""])
@@ -667,6 +688,16 @@ class ScaleInvariance(Case):
         self.assertEqual(sorted(of_wave), [f"phase_wave-1-{level}-{change}" for level in (1, 2) for change in ("as_it_is", "balanced", "half_step")])
         self.assertEqual({scene["drive"]["mode"] for scene in of_wave.values()}, {"wave"})
         self.assertEqual(of_wave["phase_wave-1-1-balanced"]["materials"]["beam_moments"], "balanced")
+        # As it is it keeps its way and its speed in body lengths, with balanced beams it turns; the walks with half the step are not there.
+        folder = self.tree / "scenes"
+        for name, way in (("1-as_it_is", [0.06, 0.0]), ("2-as_it_is", [0.18, 0.0]), ("1-balanced", [0.06, 0.0]), ("2-balanced", [0.0, 0.18])):
+            (folder / f"phase_wave-1-{name}").mkdir()
+            (folder / f"phase_wave-1-{name}/result.toml").write_text(f"displacement_m = [{way[0]}, {way[1]}, 0.0]\n")
+        self.done(self.changed, "take", folder, "balanced")
+        self.done(self.changed, "summary")
+        rows = table_of(self.tree / "paper/scale_invariance/one_material.csv")
+        self.assertEqual([[row[name] for name in ("group", "change", "angle_deg", "speed_factor", "carries_over", "outcome")] for row in rows],
+                         [["phase_wave", "as_it_is", "0", "1", "yes", "reproduced"], ["phase_wave", "balanced", "90", "1", "no", "open"]])
 
     def test_robots_of_the_control_have_a_body_and_an_arrangement(self):
         # Two cells side by side along x, and a step of three such bodies: two side by side along x, and one on the second of these.
@@ -807,6 +838,11 @@ class Trials(Case):
         self.assertEqual((fractal["dimension_p_paper"], fractal["dimension_outcome"]), ("1", "open"), "five planes and five between 2.5 and 2.7, as in the paper")
         self.assertEqual((found["non_fractal"]["dimension_p_paper"], found["non_fractal"]["dimension_outcome"]), ("", ""))
         self.assertEqual(len(table_of(folder / "champions.csv")), 25)
+        # All trials rise at both scales, in one change each, and end twice as fast at 3 cells as at 9. The first robots have three cells.
+        at_3, at_9 = [row for row in table_of(folder / "scales.csv") if row["arm"] == "fractal"]
+        self.assertEqual([at_3[name] for name in ("cells_per_side", "rises", "rises_outcome", "changes", "upwards", "is_fastest", "is_twice_as_fast")], ["3", "1", "reproduced", "10", "1", "10", "10"])
+        self.assertEqual([at_9[name] for name in ("cells_per_side", "rises", "is_fastest", "is_twice_as_fast")], ["9", "1", "0", "0"])
+        self.assertEqual((fractal["early_cubes"], fractal["early_cubes_outcome"], found["non_fractal"]["early_cubes"]), ("0", "open", ""))
         xml.dom.minidom.parse(str(folder / "trials.svg"))
         self.assertFalse((folder / "variants.svg").exists(), "there is no variant")
 
