@@ -222,7 +222,8 @@ def scales(arms):
             upwards = share(int(np.sum(steps > 0.0)), changes)
             others = [(trial.last_speed(level), max((trial.last_speed(other) for other in levels if other != level), default=np.inf)) for trial in trials]
             rows.append({"arm": arm, "cells_per_side": 3**level, "trials": len(speeds)} | rises.cells("rises") | {"rises_outcome": OUTCOMES[verdict(rises, 0.5)], "changes": changes}
-                        | upwards.cells("upwards") | {"is_fastest": sum(one > other for one, other in others), "is_twice_as_fast": sum(one >= 2.0 * other for one, other in others)})
+                        | upwards.cells("upwards") | {"is_fastest": sum(one > other for one, other in others), "is_twice_as_fast": sum(one >= 2.0 * other for one, other in others),
+                                                 "found_outcome": "reproduced" if any(one > other for one, other in others) else "open"})
     return rows
 
 

@@ -12,10 +12,10 @@ mutants.csv    of mutants and of robots that are drawn at random: the share whos
 repeats.csv    for each arm: the share of mutants that are robots which the search had before, of all of them and of those of the best robot
                so far
 first_robots.csv, first_robots_compared.csv
-               of robots that are drawn at random, each once: their speeds, the share of those that go 15 body lengths a minute at both
-               scales, and the rank correlation of both speeds; how often one of the control is faster than a fractal. They are all robots
-               of the first generations of the trials that are there, and the fractals of ../discrepancies; made only if there are trials of
-               all seeds
+               of robots that are drawn at random, each once: their speeds and the rank correlation of the speeds at both scales, of those
+               of the first generations and the fractals of ../discrepancies, which all walk at both; the share that goes 15 body lengths a
+               minute at both scales, of all that were drawn; how often one of the control is faster than a fractal. Made only if there are
+               trials of all seeds
 
 Mutants of the control, whose larger scale evolves apart, are of two kinds: those that change the body and those that change its arrangement
 alone, which go as fast at 3 cells as their parents. inherited.csv tells those of the body apart, too, by whether the arrangement changes. heredity.csv leaves its trials out.
@@ -168,20 +168,18 @@ def repeats(arm, trials):
     yield row
 
 
-def first_speeds(arms):
-    """The speeds of fractals and of the control's robots at both scales, of those that walk at both: {kind: array (robots, scales)}; nothing
-    where trials of some seeds are not there."""
+def drawn_robots(arms, part):
+    """The speeds at both scales of robots that were drawn at random, each robot once: {kind: array (robots, scales)}; nothing where trials of some
+    seeds are not there.
+
+    @param part which rows of a trial: first, which all walk at both scales, or drawn, of whom slow ones may not walk at the larger one"""
     if not all(set(names) & set(arms) for of_kind in FIRST_ROBOTS.values() for names in of_kind):
         return {}
     file = AT_TWO_SCALES["random"]
-    rows = {kind: [row for names in of_kind for name in names for trial in arms.get(name, []) for row in trial.first] for kind, of_kind in FIRST_ROBOTS.items()}
+    rows = {kind: [row for names in of_kind for name in names for trial in arms.get(name, []) for row in getattr(trial, part)] for kind, of_kind in FIRST_ROBOTS.items()}
     rows["fractals"] += read_table(file) if file.exists() else []
-    speeds = {}
-    for kind, of_kind in rows.items():
-        robots = list({row["phenotype"]: row for row in of_kind}.values())
-        both = np.array([speeds_of(robots, level) for level in LEVELS]).T
-        speeds[kind] = both[np.isfinite(both).all(axis=1)]
-    return speeds
+    robots = {kind: list({row["phenotype"]: row for row in of_kind}.values()) for kind, of_kind in rows.items()}
+    return {kind: np.array([speeds_of(of_kind, level) for level in LEVELS]).T for kind, of_kind in robots.items()}
 
 
 def by_scale(both):
@@ -189,24 +187,22 @@ def by_scale(both):
     return {f"{3**level} cells": both[:, at] for at, level in enumerate(LEVELS)} | {"fitness": both.min(axis=1)}
 
 
-def fast_count(speeds):
-    return int(np.sum(speeds >= FAST_PER_MINUTE))
-
-
-def first_robots(speeds):
-    """Of each kind: medians, the share of fast ones, and the rank correlation of the speeds at both scales."""
-    for kind, both in speeds.items():
+def first_robots(first, drawn):
+    """Of each kind: medians and the rank correlation of the speeds at both scales, of the first robots; the share of fast ones, of all that were
+    drawn; Fisher's exact test of both shares."""
+    fast = {kind: (int(np.sum(both.min(axis=1) >= FAST_PER_MINUTE)), len(both)) for kind, both in drawn.items()}
+    for kind, both in first.items():
         row = {"kind": kind, "robots": len(both)}
         for name, of_scale in by_scale(both).items():
             row |= median(of_scale).cells(f"{name.replace(' ', '_')}_median")
-        yield row | share(fast_count(both.min(axis=1)), len(both)).cells("fast") | spearman(*both.T).cells("spearman")
+        yield row | spearman(*both.T).cells("spearman") | {"drawn": fast[kind][1]} | share(*fast[kind]).cells("fast") | {"p_fast": fisher(*fast["control"], *fast["fractals"])}
 
 
-def first_robots_compared(speeds):
-    """How often one of the control is faster than a fractal, and whether the shares of fast ones differ."""
-    for name, fractals, control in ((name, fractals, by_scale(speeds["control"])[name]) for name, fractals in by_scale(speeds["fractals"]).items()):
-        yield {"speed": name} | share_of_larger(control, fractals).cells("control_is_faster") | {
-            "p": rank_sum(control, fractals), "p_fast": fisher(fast_count(control), len(control), fast_count(fractals), len(fractals))}
+def first_robots_compared(first, _):
+    """How often one of the control is faster than a fractal."""
+    control = by_scale(first["control"])
+    for name, fractals in by_scale(first["fractals"]).items():
+        yield {"speed": name} | share_of_larger(control[name], fractals).cells("control_is_faster") | {"p": rank_sum(control[name], fractals)}
 
 
 # The rows of each table, and the arms that it has
@@ -230,9 +226,11 @@ def main(arguments):
         if rows:
             rows.sort(key=lambda row: ARMS.index(row["arm"]))
             write_table(file, list(rows[0]), rows)
-    if speeds := first_speeds(arms):
-        for name, rows_of_first in (("first_robots", first_robots), ("first_robots_compared", first_robots_compared)):
-            rows = [{key: cell(value) for key, value in row.items()} for row in rows_of_first(speeds)]
+    first, drawn = (drawn_robots(arms, part) for part in ("first", "drawn"))
+    if first:
+        first = {kind: both[np.isfinite(both).all(axis=1)] for kind, both in first.items()}
+        for name, rows_of_both in (("first_robots", first_robots), ("first_robots_compared", first_robots_compared)):
+            rows = [{key: cell(value) for key, value in row.items()} for row in rows_of_both(first, drawn)]
             write_table(HERE / f"{name}.csv", list(rows[0]), rows)
 
 

@@ -24,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import numpy as np  # noqa: E402
-from sample_statistics import mcnemar, median, rank_sum, share, share_of_larger, signed_rank  # noqa: E402
+from sample_statistics import mcnemar, median, rank_sum, share, share_of_larger, signed_rank, tells_apart  # noqa: E402
 from scale_invariance import (ALL_EVOLVED, CELL_EDGE_M, EVOLVED_BALANCED, GROUPS, LEAST_BODY_LENGTHS, LEVELS, PER_MINUTE, angle_and_factor, body_lengths,  # noqa: E402
                               carries_over, outcome, robots, same_way)
 from small_tables import InputError, cell, read_table, read_toml, run_script, toml_text, write_table, write_whole  # noqa: E402
@@ -171,14 +171,18 @@ def similar_statistics():
                 about = {"levels": f"{upper - 1} to {upper}", "cells": f"{3 ** (upper - 1)} to {3**upper}", "change": change, "label": label}
                 with_plain = [found for found in walks.values() if plain in found and (upper, change) in found]
                 of_both = [pairs_of(with_plain, before, walk) for walk in (plain, (upper, change))]
-                rows.append(about | outcome(*pairs) | (against_plain(*of_both) if change != "as_it_is" and of_both[0] else {"p_carried_over": None, "p_speed": None}))
+                rows.append(about | outcome(*pairs) | (against_plain(*of_both) if change != "as_it_is" and of_both[0] else {"p_carried_over": None, "p_speed": None, "faster_outcome": None}))
     return rows
 
 
 def against_plain(plain, changed):
-    """p of the same robots with a change and without: McNemar's test of who carries over, and the signed rank of how fast they are."""
+    """p of the same robots with a change and without: McNemar's test of who carries over, and the signed rank of how fast they are; whether they are
+    faster with it."""
     found = [angle_and_factor(*pairs) for pairs in (plain, changed)]
-    return {"p_carried_over": mcnemar(*(carries_over(*one) for one in found)), "p_speed": signed_rank(*(factor for _, factor in found))}
+    (_, before), (_, after) = found
+    p = signed_rank(before, after)
+    faster = "reproduced" if np.median(after) > np.median(before) else "not reproduced"
+    return {"p_carried_over": mcnemar(*(carries_over(*one) for one in found)), "p_speed": p, "faster_outcome": faster if tells_apart(p) else "open"}
 
 
 def balanced_statistics():

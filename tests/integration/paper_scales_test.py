@@ -674,7 +674,7 @@ class ScaleInvariance(Case):
         # Of six robots that stand at 9 cells all carry over with the change, at speeds that differ: 2 of 2^6 signs are as extreme.
         lower, plain, changed = (script.np.array([[way, 0.0] for way in ways]) for ways in ([0.03] * 6, [0.001] * 6, [0.09 + 0.001 * n for n in range(6)]))
         found = script.against_plain((lower, plain), (lower, changed))
-        self.assertEqual((found["p_carried_over"], found["p_speed"]), (2 / 64, 2 / 64))
+        self.assertEqual((found["p_carried_over"], found["p_speed"], found["faster_outcome"]), (2 / 64, 2 / 64, "reproduced"))
         # A walk that failed went nowhere, and so not the same way.
         self.assertEqual(script.kept(lower, 0.0 * lower, 1)["same_way"], 0.0)
         # The robot that is fastest before a change is not the one that is fastest after it.
@@ -1188,10 +1188,12 @@ class Heredity(Case):
         self.done("heredity/heredity.py", self.tree / "found")
         kinds = table_of(self.tree / "paper/heredity/first_robots.csv")
         # 15 body lengths a minute are 1.25 in a walk.
-        self.assertEqual([[row[name] for name in ("kind", "robots", "3_cells_median", "9_cells_median", "fitness_median", "fast", "spearman")] for row in kinds],
-                         [["fractals", "3", "24", "24", "24", f"{2 / 3:.4g}", "0.5"], ["control", "2", "39", f"{12 * 2.6:.4g}", f"{12 * 1.85:.4g}", "0.5", "-1"]])
-        compared = {row["speed"]: (row["control_is_faster"], row["p_fast"]) for row in table_of(self.tree / "paper/heredity/first_robots_compared.csv")}
-        self.assertEqual(compared, {"3 cells": (f"{5 / 6:.4g}", "1"), "9 cells": (f"{4 / 6:.4g}", "1"), "fitness": (f"{4 / 6:.4g}", "1")}, "1.2 and 2.5 against 1, 2 and 2")
+        self.assertEqual([[row[name] for name in ("kind", "robots", "3_cells_median", "9_cells_median", "fitness_median", "spearman")] for row in kinds],
+                         [["fractals", "3", "24", "24", "24", "0.5"], ["control", "2", "39", f"{12 * 2.6:.4g}", f"{12 * 1.85:.4g}", "-1"]])
+        # Of all that were drawn, who did not walk at 9 cells, or at all, is slow, and the later one of 9 body lengths is fast.
+        self.assertEqual([[row[name] for name in ("drawn", "fast", "p_fast")] for row in kinds], [["5", "0.6", "1"], ["2", "0.5", "1"]])
+        compared = {row["speed"]: row["control_is_faster"] for row in table_of(self.tree / "paper/heredity/first_robots_compared.csv")}
+        self.assertEqual(compared, {"3 cells": f"{5 / 6:.4g}", "9 cells": f"{4 / 6:.4g}", "fitness": f"{4 / 6:.4g}"}, "1.2 and 2.5 against 1, 2 and 2")
 
     def test_tells_what_all_mutants_inherit_of_whom_both_scales_do_not_walk(self):
         # Searches at 9 cells alone: mutants of one cell keep their speed, those of two go the other way round; one equals its parent and does not count.
