@@ -243,6 +243,7 @@ def against_control():
 
 
 def measures_of(before, after):
+    """Of speeds before and after, as speeds_of_group gives them: {what it is: an array (robots)}."""
     left = {f"share of the speed that is left at {3**level} cells": (after / before)[:, at] for at, level in enumerate(BALANCED_LEVELS)}
     return left | {"fitness in the paper's simulator": before.min(axis=1), "fitness with balanced beams": after.min(axis=1)}
 
