@@ -1048,6 +1048,7 @@ class Trials(Case):
                 if seed == 1030:
                     self.done(self.script)
                     self.assertFalse((self.tree / "paper/fractal/comparisons.csv").exists(), "what was planned is not complete")
+                    self.assertEqual({row["arm"] for row in table_of(self.tree / "paper/fractal/champions.csv")}, {"fractal_again"}, "nor looked at")
                 put(folder, seed, speed)
         self.done(self.script)
         (row,) = table_of(self.tree / "paper/fractal/comparisons.csv")
