@@ -6,15 +6,15 @@ trials.py    reads the tables of trials that there are: two_scales/SEED.csv here
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
              again/SEED.csv, again_balanced/SEED.csv, random_search/SEED.csv and three_scales/SEED.csv in both folders
 
-Trials of an arm count up to the last generation that all of them have, or that was planned, so that each can go on at another time. Those that went on stand
-once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are compared at the
-last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum
+Trials of an arm count up to the last generation that all of them have, or that was planned, so that each can go on at another time.
+Those that went on stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two
+arms are compared at the last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum
 test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their test had been
 looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
-comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/ without the
-fault of the simulator: fifteen of each kind, of 60 generations, are tested once, and are in no table and no figure before. scales.csv has each scale of the best robots by itself.
-The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum
-test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
+comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/
+without the fault of the simulator: fifteen of each kind, of 60 generations, are tested once, and are in no table and no figure before.
+scales.csv has each scale of the best robots by itself.
+The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
 compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
 more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in
 which every mutant has another body, as mutants of fractals have.
@@ -229,7 +229,8 @@ def scales(arms):
 
 def leads_of(trials, levels):
     """In how many of all generations the best robot is slowest at the largest scale. How many best robots trials had one after another, which
-    differ in some speed, and how many of these are slowest there. Of the one that led longest: for how many generations, and by what part of its speed at the slowest other scale it is slower at the largest."""
+    differ in some speed, and how many of these are slowest there. Of the one that led longest: for how many generations, and by what part of its
+    speed at the slowest other scale it is slower at the largest."""
     leads = [(speeds, len(list(generations))) for trial in trials
              for speeds, generations in groupby(zip(*(trial.speeds[level].tolist() for level in levels))) if not np.isnan(speeds).any()]
     behind = [1.0 - speeds[-1] / min(speeds[:-1]) if min(speeds[:-1]) > 0.0 else -np.inf for speeds, _ in leads]

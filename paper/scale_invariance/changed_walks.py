@@ -218,23 +218,28 @@ def next_scale(lower_m, upper_m):
             "outcome": "reproduced" if carried_over else "open"}  # of the paper's claim that there is such a robot
 
 
-def speeds_of_group(group):
-    """The speeds at both scales, in body lengths a minute, of its champions that move at both: as they are, and with balanced beams. Two arrays
-    (robots, scales)."""
+def speeds_with_and_without_fault():
+    """The speeds at both scales, in body lengths a minute, of the champions of fractals and of the control that move at both: as they are, and with
+    balanced beams. {group: array (2, robots, scales)}."""
     wanted = [[(level, change) for level in BALANCED_LEVELS] for change in ("as_it_is", "balanced")]
-    speeds = [[[body_lengths(found[walk], walk[0]) for walk in change] for change in wanted] for (name, _), found in walks_of("balanced", np.zeros(2)).items()
-              if name == group and all(walk in found for change in wanted for walk in change)]
-    moving = [both for both in speeds if min(both[0]) >= LEAST_BODY_LENGTHS]
-    return PER_MINUTE * np.array(moving).reshape(-1, 2, len(BALANCED_LEVELS)).transpose(1, 0, 2)
+    speeds = {group: [] for group in (*FRACTALS, CONTROL)}
+    for (group, _), found in walks_of("balanced", np.zeros(2)).items():
+        if group in speeds and all(walk in found for change in wanted for walk in change):
+            both = [[body_lengths(found[walk], walk[0]) for walk in change] for change in wanted]
+            if min(both[0]) >= LEAST_BODY_LENGTHS:
+                speeds[group].append(both)
+    return {group: PER_MINUTE * np.array(robots).reshape(-1, 2, len(BALANCED_LEVELS)).transpose(1, 0, 2) for group, robots in speeds.items()}
 
 
-def against_control():
+def against_control(speeds):
     """What balanced beams leave of the speed of champions at each scale, and of their fitness, the slower of both speeds: fractals against the
-    control."""
-    control = measures_of(*speeds_of_group(CONTROL))
+    control.
+
+    @param speeds what speeds_with_and_without_fault gives"""
+    control = measures_of(*speeds[CONTROL])
     rows = []
     for group, label in FRACTALS.items():
-        for what, fractals in measures_of(*speeds_of_group(group)).items():
+        for what, fractals in measures_of(*speeds[group]).items():
             if len(fractals) and len(control[what]):
                 rows.append({"group": group, "what": what, "label": label, "robots": len(fractals), "controls": len(control[what])}
                             | median(fractals).cells("fractal") | median(control[what]).cells("control")
@@ -243,16 +248,18 @@ def against_control():
 
 
 def measures_of(before, after):
-    """Of speeds before and after, as speeds_of_group gives them: {what it is: an array (robots)}."""
+    """Of the speeds (robots, scales) before and after a change: {what it is: an array (robots)}."""
     left = {f"share of the speed that is left at {3**level} cells": (after / before)[:, at] for at, level in enumerate(BALANCED_LEVELS)}
     return left | {"fitness in the paper's simulator": before.min(axis=1), "fitness with balanced beams": after.min(axis=1)}
 
 
-def draw_against_control():
+def draw_against_control(speeds_of):
     """The fitness of each champion in the paper's simulator and with balanced beams, a panel for each kind; readable where it is printed 6.5 inches
-    wide."""
-    groups = {label: ("#0072B2", speeds_of_group(group)) for group, label in FRACTALS.items()}
-    groups["control, again"] = ("#D55E00", speeds_of_group(CONTROL))
+    wide.
+
+    @param speeds_of what speeds_with_and_without_fault gives"""
+    groups = {label: ("#0072B2", speeds_of[group]) for group, label in FRACTALS.items()}
+    groups["control, again"] = ("#D55E00", speeds_of[CONTROL])
     if not all(speeds.size for _, speeds in groups.values()):
         return
     pyplot = pyplot_for_svg()
@@ -293,11 +300,12 @@ def kept(before_m, after_m, level):
 
 
 def summary():
+    speeds = speeds_with_and_without_fault()
     for name, rows in (("similar_statistics", similar_statistics()), ("balanced_statistics", balanced_statistics()), ("one_material", one_material()),
-                       ("against_control", against_control()), ("fourth_statistics", fourth_statistics())):
+                       ("against_control", against_control(speeds)), ("fourth_statistics", fourth_statistics())):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [{key: cell(value) for key, value in row.items()} for row in rows])
-    draw_against_control()
+    draw_against_control(speeds)
 
 
 def main(arguments):
