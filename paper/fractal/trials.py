@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, scales.csv, comparisons.csv,
+"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, scales.csv, comparisons.csv, lead.csv,
 on_the_way.csv, equal_evaluations.csv, trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
@@ -13,6 +13,8 @@ test, or by the signed-rank test where they have the same seeds and so begin wit
 looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
 comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/
 without the fault of the simulator: fifteen of each kind, of 60 generations, are tested once, and are in no table and no figure before.
+lead.csv asks whether the fault changes the control's lead: how many times as fast the best robot of a seed is without it, of fractals
+against the control.
 scales.csv has each scale of the best robots by itself.
 The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
 compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
@@ -21,8 +23,8 @@ which every mutant has another body, as mutants of fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
 side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
 otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
-trials.svg shows the paper's experiment, its control and random search; variants.svg each arm that changes one thing in one of these, against
-it.
+trials.svg shows the paper's experiment, its control and random search; variants.svg each arm that changes one thing in one of these, or
+in the repetition, against it.
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -37,7 +39,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, freeman_halton, mean, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
+from sample_statistics import OUTCOMES, freeman_halton, mean, median, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
 from scale_invariance import LEVELS, PER_MINUTE  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa: E402
@@ -63,6 +65,7 @@ class Arm:
     is_fractal: bool = True  # robots of the control are none, and have no dimension
     is_variant: bool = False  # of the paper's experiment or its control: something is changed, if only the seeds
     planned: Plan | None = None  # of arms that are tested once
+    changes: str | None = None  # the arm in which it changes something, where that is not the paper's experiment or its control
 
     def is_complete(self, trials):
         return self.planned is None or (len(trials), len(trials[0].best) - 1) == (self.planned.trials, self.planned.generations)
@@ -84,20 +87,23 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
         "non_fractal_body_mutants": Arm(NON_FRACTAL / "body_mutants", "control, bodies mutate", "#999933", "-", "d", is_fractal=False, is_variant=True),
         "fractal_again": Arm(HERE / "again", "fractal, again", "#44AA99", "-", "<", is_variant=True, planned=Plan(15, 60)),
         "non_fractal_again": Arm(NON_FRACTAL / "again", "control, again", "#882255", "-", ">", is_fractal=False, is_variant=True, planned=Plan(15, 60)),
-        "fractal_again_balanced": Arm(HERE / "again_balanced", "fractal, balanced beams", "#0072B2", "-", "8", is_variant=True, planned=Plan(15, 60)),
-        "non_fractal_again_balanced": Arm(NON_FRACTAL / "again_balanced", "control, balanced beams", "#D55E00", "-", "H", is_fractal=False, is_variant=True, planned=Plan(15, 60)),
+        "fractal_again_balanced": Arm(HERE / "again_balanced", "fractal, again, balanced", "#0072B2", "-", "8", is_variant=True, planned=Plan(15, 60), changes="fractal_again"),
+        "non_fractal_again_balanced": Arm(NON_FRACTAL / "again_balanced", "control, again, balanced", "#D55E00", "-", "H", is_fractal=False, is_variant=True, planned=Plan(15, 60),
+                                          changes="non_fractal_again"),
         "three_scales": Arm(HERE / "three_scales", "fractal, three scales", "#009E73", "--", "D"),
         "non_fractal_three_scales": Arm(NON_FRACTAL / "three_scales", "control, three scales", "#CC79A7", (0, (3, 1, 1, 1, 1, 1)), "^", is_fractal=False)}
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#B79FCB", "-", 3.2), 2: ("#762A83", "--", 1.6), 3: ("#000000", ":", 1.9)}  # no colours of arms; all show where they are on each other
 COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"), ("fractal_again_balanced", "non_fractal_again_balanced"),
+               ("fractal_again", "fractal_again_balanced"), ("non_fractal_again", "non_fractal_again_balanced"),
                ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("single_cells", "fractal"), ("single_cells", "random_search"),
                ("new_mutants", "fractal"), ("new_mutants", "random_search"), ("new_mutants", "non_fractal"),
                ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
                ("non_fractal", "non_fractal_body_mutants"), ("fractal", "non_fractal_body_mutants"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
+WITHOUT_FAULT = (("fractal_again", "fractal_again_balanced"), ("non_fractal_again", "non_fractal_again_balanced"))  # whose changes lead.csv compares
 STRIDE = 20  # generations between comparisons on the way, and between looks at the test
 EARLY = 20  # generations
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
@@ -273,6 +279,23 @@ def comparisons(arms):
     return [comparison(names, one, other, last) for names, one, other, last in compared(arms)]
 
 
+def leads(arms):
+    """Whether the fault of the simulator changes the lead of fractals over the control, or of the control over fractals: the ratio of fitness
+    without the fault to that with it, of the best robots of the same seed, of fractals against that of the control. One row, or none before all
+    four arms are complete."""
+    if not {name for names in WITHOUT_FAULT for name in names} <= set(arms):
+        return []
+    generation = min(len(arms[name][0].best) for names in WITHOUT_FAULT for name in names) - 1
+    ratios = []
+    for plain, balanced in WITHOUT_FAULT:
+        before, after = ({trial.seed: trial.best[generation] for trial in arms[name]} for name in (plain, balanced))
+        ratios.append([after[seed] / before[seed] for seed in sorted(before)])
+    p, larger = rank_sum(*ratios), share_of_larger(*ratios)
+    return [{"arms": "fractal and non_fractal", "trials": len(ratios[0]), "other_trials": len(ratios[1]), "generations": generation}
+            | median(ratios[0]).cells("without_fault") | median(ratios[1]).cells("others_without_fault") | {"p": p} | larger.cells("larger")
+            | {"larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"]}]
+
+
 def on_the_way(arms):
     """The same at every twentieth generation before the last one, of arms that were looked at there."""
     rows = [comparison(names, one, other, at) for names, one, other, last in compared(arms) for at in range(STRIDE, last, STRIDE) if not are_planned(names)]
@@ -320,7 +343,7 @@ def draw_fitness(panel, arms):
 
 def draw_against(panel, arms, name):
     """The fitness of a variant, as long as it goes, and in grey that of the trials in which it changes something."""
-    reference = "fractal" if DRAWN[name].is_fractal else "non_fractal"
+    reference = DRAWN[name].changes or ("fractal" if DRAWN[name].is_fractal else "non_fractal")
     if reference in arms:
         draw_mean(panel, [trial.best for trial in arms[reference]], "#777777", "-", labelled(reference, arms[reference]))
         panel.legend(loc="lower right", handlelength=1.2)
@@ -456,7 +479,7 @@ def main(arguments):
     arms = {name: found[name] for name in DRAWN if name in found and DRAWN[name].is_complete(found[name])}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")
-    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("scales", scales(arms)), ("comparisons", comparisons(arms)),
+    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("scales", scales(arms)), ("comparisons", comparisons(arms)), ("lead", leads(arms)),
                        ("on_the_way", on_the_way(arms)), ("equal_evaluations", at_equal_evaluations(arms))):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])

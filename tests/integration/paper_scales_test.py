@@ -1066,6 +1066,30 @@ class Trials(Case):
         self.assertEqual({row["arm"]: row["generations"] for row in table_of(self.tree / "paper/fractal/statistics.csv")},
                          {"fractal_again": "60", "fractal_again_longer": "70", "non_fractal_again": "60"})
 
+    def test_says_whether_the_fault_of_the_simulator_changes_the_lead(self):
+        # The control is twice as fast as fractals. Without the fault fractals keep 0.9 of their fitness and the control 0.4, so that fractals lead.
+        tables = self.tree / "paper/fractal"
+        for folder, seeds, speed, kept in (("fractal", range(11, 26), 0.01, 0.9), ("non_fractal", range(1016, 1031), 0.02, 0.4)):
+            for seed in seeds:
+                own = speed + 1e-5 * (seed % 1000)
+                for name, fitness in (("again", own), ("again_balanced", own * (kept + 1e-4 * (seed % 7)))):
+                    self.assertFalse((tables / "lead.csv").exists(), "before all four arms are complete")
+                    write(self.tree / f"paper/{folder}/{name}/{seed}.csv", self.columns, [[n, fitness * n, 9, 2, fitness * n, fitness * n] for n in range(61)])
+                if seed == 1029:
+                    self.done(self.script)
+        self.done(self.script)
+        (lead,) = table_of(tables / "lead.csv")
+        self.assertEqual((lead["trials"], lead["other_trials"], lead["generations"]), ("15", "15", "60"))
+        self.assertAlmostEqual(float(lead["without_fault"]), 0.9, delta=7e-4)
+        self.assertAlmostEqual(float(lead["others_without_fault"]), 0.4, delta=7e-4)
+        self.assertEqual((lead["larger"], lead["larger_outcome"]), ("1", "reproduced"))
+        self.assertLess(float(lead["p"]), 1e-5)
+        # Of seeds that begin with the same robots the trials are pairs: all fifteen lose.
+        found = {row["arms"]: row for row in table_of(tables / "comparisons.csv")}
+        self.assertEqual([found[f"{name} and {name}_balanced"]["test"] for name in ("fractal_again", "non_fractal_again")], ["signed rank"] * 2)
+        self.assertEqual([found[f"{name} and {name}_balanced"]["larger"] for name in ("fractal_again", "non_fractal_again")], ["1"] * 2)
+        self.assertEqual([found[f"fractal_{name} and non_fractal_{name}"]["larger"] for name in ("again", "again_balanced")], ["0", "1"])
+
     def test_variants_of_a_search_differ_from_it_in_one_thing(self):
         evolution, drawn = (tomllib.loads((SOURCES / f"paper/fractal/{name}.toml").read_text()) for name in ("two_scales", "random_search"))
         self.assertEqual(drawn.pop("population"), {"survivors": 1, "mutants": 0, "newcomers": 16})
