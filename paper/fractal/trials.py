@@ -207,7 +207,7 @@ def statistics(arms):
                     | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                        "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
                     | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1, arm), "p_scales": signed_rank(smaller, larger),
-                       "p_scales_rank_sum": rank_sum(smaller, larger)}
+                       "p_scales_rank_sum": (p := rank_sum(smaller, larger)), "no_difference_outcome": "not reproduced" if tells_apart(p) else "open"}
                     | leads_of(trials, levels) | dimensions_of(arm, trials))
     return rows
 
