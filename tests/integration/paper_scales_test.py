@@ -835,6 +835,7 @@ class Trials(Case):
         self.assertEqual((fractal["p_first_last"], fractal["p_scales"], fractal["gain_outcome"]), ("0.001953", "0.001953", "reproduced"))
         self.assertLess(float(fractal["p_first_last_rank_sum"]), 1e-3)
         self.assertEqual((fractal["larger_is_slower_outcome"], compared[0]["larger_outcome"]), ("reproduced", "reproduced"))
+        self.assertEqual(fractal["no_difference_outcome"], "not reproduced", "all ends at 3 cells are faster than all at 9")
         self.assertEqual((fractal["dimension_p_paper"], fractal["dimension_outcome"]), ("1", "open"), "five planes and five between 2.5 and 2.7, as in the paper")
         self.assertEqual((found["non_fractal"]["dimension_p_paper"], found["non_fractal"]["dimension_outcome"]), ("", ""))
         self.assertEqual(len(table_of(folder / "champions.csv")), 25)
