@@ -49,6 +49,21 @@ def mean(sample):
     return bootstrap(np.mean, sample)
 
 
+def exponential(estimate):
+    """Of an estimate of a logarithm: that of the number itself."""
+    low, high = (None if end is None else float(np.exp(end)) for end in (estimate.low, estimate.high))
+    return Estimate(float(np.exp(estimate.value)), low, high)
+
+
+def geometric_mean(sample):
+    return exponential(mean(np.log(sample)))
+
+
+def geometric_means_ratio(sample, other):
+    """How many times as large the geometric mean of a sample is as that of another one."""
+    return exponential(bootstrap(lambda one, two: np.mean(one) - np.mean(two), np.log(sample), np.log(other)))
+
+
 def median(sample):
     return bootstrap(np.median, sample)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, scales.csv, comparisons.csv, lead.csv,
-on_the_way.csv, equal_evaluations.csv, trials.svg and variants.svg.
+"""What the trials of the paper's main experiment and of its control say: champions.csv, statistics.csv, scales.csv, comparisons.csv,
+without_fault.csv, on_the_way.csv, equal_evaluations.csv, trials.svg and variants.svg.
 
 trials.py    reads the tables of trials that there are: two_scales/SEED.csv here and in ../non_fractal, two_scales_in_pieces/SEED.csv,
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
@@ -13,16 +13,16 @@ test, or by the signed-rank test where they have the same seeds and so begin wit
 looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
 comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/
 without the fault of the simulator: fifteen of each kind, of 60 generations, are tested once, and are in no table and no figure before.
-lead.csv asks whether the fault changes the control's lead: how many times as fast the best robot of a seed is without it, of fractals
-against the control.
+without_fault.csv asks whether the fault changes the control's lead: how many times as fit the best robot is without the fault as that of the
+same seed with it, fractals against the control.
 scales.csv has each scale of the best robots by itself.
-The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also
-compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
+The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and
+which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
 more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in
 which every mutant has another body, as mutants of fractals have.
 An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
-side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). Dimensions of champions "differ" if they are spread
-otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
+side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). That scales do not differ is "not reproduced" if the
+paper's test, the rank sum, tells them apart (p < 0.05), else "open". Dimensions of champions "differ" if they are spread otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
 trials.svg shows the paper's experiment, its control and random search; variants.svg each arm that changes one thing in one of these, or
 in the repetition, against it.
 Exit codes: 0 done, 2 wrong input.
@@ -39,7 +39,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance")]
 
 import numpy as np  # noqa: E402
-from sample_statistics import OUTCOMES, freeman_halton, mean, median, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
+from sample_statistics import OUTCOMES, freeman_halton, geometric_mean, geometric_means_ratio, mean, rank_sum, share, share_of_larger, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
 from scale_invariance import LEVELS, PER_MINUTE  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa: E402
@@ -95,15 +95,15 @@ ARMS = {"fractal": Arm(HERE / "two_scales", "fractal", "#0072B2", "-", "o"),
 LONGER = {f"{name}_longer": arm.longer() for name, arm in ARMS.items()}
 DRAWN = ARMS | LONGER
 SCALE_STYLES = {1: ("#B79FCB", "-", 3.2), 2: ("#762A83", "--", 1.6), 3: ("#000000", ":", 1.9)}  # no colours of arms; all show where they are on each other
+WITH_AND_WITHOUT_FAULT = (("fractal_again", "fractal_again_balanced"), ("non_fractal_again", "non_fractal_again_balanced"))
 COMPARISONS = (("fractal", "non_fractal"), ("fractal_again", "non_fractal_again"), ("fractal_again_balanced", "non_fractal_again_balanced"),
-               ("fractal_again", "fractal_again_balanced"), ("non_fractal_again", "non_fractal_again_balanced"),
+               *WITH_AND_WITHOUT_FAULT,
                ("in_pieces", "non_fractal"), ("fractal", "in_pieces"), ("fractal", "balanced"), ("fractal", "random_search"),
                ("single_cells", "fractal"), ("single_cells", "random_search"),
                ("new_mutants", "fractal"), ("new_mutants", "random_search"), ("new_mutants", "non_fractal"),
                ("non_fractal", "non_fractal_random_search"), ("non_fractal_random_search", "random_search"),
                ("non_fractal", "non_fractal_body_mutants"), ("fractal", "non_fractal_body_mutants"),
                ("three_scales", "non_fractal_three_scales"), ("fractal_longer", "non_fractal_longer"))
-WITHOUT_FAULT = (("fractal_again", "fractal_again_balanced"), ("non_fractal_again", "non_fractal_again_balanced"))  # whose changes lead.csv compares
 STRIDE = 20  # generations between comparisons on the way, and between looks at the test
 EARLY = 20  # generations
 PAPER_DIMENSIONS = (5, 5, 0)  # champions of the paper that are planes, have a dimension of 2.5 to 2.7, or another one
@@ -203,11 +203,12 @@ def statistics(arms):
         levels = list(trials[0].speeds)
         smaller, larger = ([trial.last_speed(level) for trial in trials] for level in levels[-2:])
         slower = share(sum(one < other for one, other in zip(larger, smaller)), len(trials))
+        p_scales = rank_sum(smaller, larger)
         rows.append({"arm": arm, "trials": len(trials), "generations": len(trials[0].best) - 1} | first.cells("first") | last.cells("last") | gain.cells("gain")
                     | {"gain_outcome": OUTCOMES[verdict(gain, 0.0)], "p_first_last": signed_rank(lasts, firsts), "p_first_last_rank_sum": rank_sum(lasts, firsts),
                        "compared_cells": f"{3 ** levels[-1]} and {3 ** levels[-2]}"} | slower.cells("larger_is_slower")
                     | {"larger_is_slower_outcome": OUTCOMES[verdict(slower, 0.5)], "looks": looks(len(trials[0].best) - 1, arm), "p_scales": signed_rank(smaller, larger),
-                       "p_scales_rank_sum": (p := rank_sum(smaller, larger)), "no_difference_outcome": "not reproduced" if tells_apart(p) else "open"}
+                       "p_scales_rank_sum": p_scales, "no_difference_outcome": "not reproduced" if tells_apart(p_scales) else "open"}
                     | leads_of(trials, levels) | dimensions_of(arm, trials))
     return rows
 
@@ -279,21 +280,26 @@ def comparisons(arms):
     return [comparison(names, one, other, last) for names, one, other, last in compared(arms)]
 
 
-def leads(arms):
-    """Whether the fault of the simulator changes the lead of fractals over the control, or of the control over fractals: the ratio of fitness
-    without the fault to that with it, of the best robots of the same seed, of fractals against that of the control. One row, or none before all
-    four arms are complete."""
-    if not {name for names in WITHOUT_FAULT for name in names} <= set(arms):
+def change_without_fault(arms):
+    """Whether the fault of the simulator changes the control's lead: the ratio of fitness without the fault to that with it, of trials of one
+    seed, is compared between fractals and the control. No row before all four arms are complete.
+
+    Ratios and leads are geometric means, so that the lead with the fault (lead), divided by the change of fractals over that of the control
+    (change_ratio), is the lead without it. The rank-sum test of the ratios decides."""
+    if not {name for names in WITH_AND_WITHOUT_FAULT for name in names} <= set(arms):
         return []
-    generation = min(len(arms[name][0].best) for names in WITHOUT_FAULT for name in names) - 1
-    ratios = []
-    for plain, balanced in WITHOUT_FAULT:
-        before, after = ({trial.seed: trial.best[generation] for trial in arms[name]} for name in (plain, balanced))
+    ratios, with_fault = [], []
+    for names in WITH_AND_WITHOUT_FAULT:
+        before, after = ({trial.seed: trial.best[-1] for trial in arms[name]} for name in names)
+        if before.keys() != after.keys():
+            raise InputError(f"{DRAWN[names[1]].folder}: must have the seeds of {DRAWN[names[0]].folder}")
         ratios.append([after[seed] / before[seed] for seed in sorted(before)])
+        with_fault.append(list(before.values()))
     p, larger = rank_sum(*ratios), share_of_larger(*ratios)
-    return [{"arms": "fractal and non_fractal", "trials": len(ratios[0]), "other_trials": len(ratios[1]), "generations": generation}
-            | median(ratios[0]).cells("without_fault") | median(ratios[1]).cells("others_without_fault") | {"p": p} | larger.cells("larger")
-            | {"larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"]}]
+    return [{"arms": "fractal and control", "trials": len(ratios[0]), "other_trials": len(ratios[1])}
+            | geometric_mean(ratios[0]).cells("change") | geometric_mean(ratios[1]).cells("other_change")
+            | geometric_means_ratio(*ratios).cells("change_ratio") | geometric_means_ratio(*reversed(with_fault)).cells("lead")
+            | {"p": p} | larger.cells("larger") | {"larger_outcome": OUTCOMES[verdict(larger, 0.5) if tells_apart(p) else "open"]}]
 
 
 def on_the_way(arms):
@@ -479,7 +485,7 @@ def main(arguments):
     arms = {name: found[name] for name in DRAWN if name in found and DRAWN[name].is_complete(found[name])}
     if not arms:
         raise InputError(f"{ARMS['fractal'].folder}: has no trial yet: ./run paper fractal two_scales_1")
-    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("scales", scales(arms)), ("comparisons", comparisons(arms)), ("lead", leads(arms)),
+    for name, rows in (("champions", champions(arms)), ("statistics", statistics(arms)), ("scales", scales(arms)), ("comparisons", comparisons(arms)), ("without_fault", change_without_fault(arms)),
                        ("on_the_way", on_the_way(arms)), ("equal_evaluations", at_equal_evaluations(arms))):
         if rows:
             write_table(HERE / f"{name}.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])

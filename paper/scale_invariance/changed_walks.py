@@ -34,7 +34,8 @@ COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
 ONE_MATERIAL = {"phase_wave": "one material, a wave", "single_actuator": "one material, in phase"}  # searches of other experiments at two scales
 SEARCH_STUDIES = {"one_scale": HERE / "one_scale.toml", "two_scales": HERE.parent / "fractal" / "two_scales.toml",
                   "two_scales_again": HERE.parent / "fractal" / "again.toml", "control_again": HERE.parent / "non_fractal" / "again.toml", "three_scales": HERE.parent / "fractal" / "single_precision.toml", "one_scale_balanced": HERE / "one_scale_balanced.toml",
-                  "two_scales_balanced": HERE.parent / "fractal" / "two_scales_balanced.toml"} | {name: HERE.parent / name / "two_scales.toml" for name in ONE_MATERIAL}
+                  "two_scales_balanced": HERE.parent / "fractal" / "two_scales_balanced.toml",
+                  "two_scales_again_balanced": HERE.parent / "fractal" / "again_balanced.toml", "control_again_balanced": HERE.parent / "non_fractal" / "again_balanced.toml"} | {name: HERE.parent / name / "two_scales.toml" for name in ONE_MATERIAL}
 PHYSICS = ("loads", "ground", "materials", "damping", "drive", "collisions", "limits", "integration")
 PRESET = HERE.parent / "presets" / "paper.toml"
 # A body three times as long that moves as often has three times the accelerations. It is as heavy beside them with three times the

@@ -7,6 +7,7 @@ part_on_request two_scales "8 min" "the champions of ./run paper fractal at two 
 part_on_request two_scales_again "12 min" "the champions of ./run paper fractal again, likewise"
 part_on_request control_again "1 min" "those of ./run paper non_fractal again, at the two scales that they have"
 part_on_request two_scales_balanced "8 min" "those with beams whose moments balance their forces"
+part_on_request again_balanced "2 min" "those of again_balanced, of both, at the two scales that they were selected at"
 part_on_request three_scales "a minute each" "the champions of ./run paper fractal three_scales_40, three_scales or full"
 part_on_request similar "1 h of one core" "these champions as heavy and as stiff for their size at a scale as at the one before"
 part_on_request fourth "13 min of one core" "the champion of three scales at a fourth one, 81 cells per side"
@@ -49,6 +50,10 @@ two_scales() { each_archive build/paper/fractal/two_scales_ .sqlite "fractal two
 two_scales_again() { each_archive build/paper/fractal/again_ .sqlite "fractal again" walks_of_champion two_scales_again; }
 control_again() { each_archive build/paper/non_fractal/again_ .sqlite "non_fractal again" walks_at "1 2" control_again; }
 two_scales_balanced() { each_archive build/paper/fractal/two_scales_balanced_ .sqlite "fractal balanced_1" walks_of_champion two_scales_balanced; }
+again_balanced() {
+  each_archive build/paper/fractal/again_balanced_ .sqlite "fractal again_balanced" walks_at "1 2" two_scales_again_balanced
+  each_archive build/paper/non_fractal/again_balanced_ .sqlite "non_fractal again_balanced" walks_at "1 2" control_again_balanced
+}
 three_scales() { each_archive build/paper/fractal/three_scales_ /trial.sqlite "fractal three_scales_40" walks_of_champion three_scales; }
 
 # The scenes of champions with something changed, simulated, and the table of them.

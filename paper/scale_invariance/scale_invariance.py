@@ -42,11 +42,12 @@ GROUPS = {"random": "random robots", "one_scale": "evolved at one scale", "two_s
           "control_again": "the control, again", "two_scales_again": "evolved at two scales, again",
           "three_scales": "evolved at three scales",
           "random_balanced": f"random robots {BALANCED}", "one_scale_balanced": f"evolved at one scale {BALANCED}",
-          "two_scales_balanced": f"evolved at two scales {BALANCED}"}
+          "two_scales_balanced": f"evolved at two scales {BALANCED}", "control_again_balanced": f"the control, again {BALANCED}",
+          "two_scales_again_balanced": f"evolved at two scales, again {BALANCED}"}
 EVOLVED = ("one_scale", "two_scales", "control_again", "two_scales_again", "three_scales")  # by the number of scales that selection sees
-EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced")
+EVOLVED_BALANCED = ("one_scale_balanced", "two_scales_balanced", "control_again_balanced", "two_scales_again_balanced")
 ALL_EVOLVED = EVOLVED + EVOLVED_BALANCED
-LEVELS_OF = {"control_again": (1, 2)}  # of groups that have fewer
+LEVELS_OF = dict.fromkeys(("control_again", "control_again_balanced", "two_scales_again_balanced"), (1, 2))  # of groups that have fewer, or walked at fewer
 ANGLES_DEG, FACTORS = (30.0, 45.0, 60.0), (1.5, 2.0, 3.0)  # other limits of what carries over, to see what hangs on them
 FASTEST = (100, 25)  # of the random robots, groups of their own
 COLUMNS = ["group", "seed", "robot", "cells", "phenotype"] + [f"level_{level}_{axis}_m" for level in LEVELS for axis in ("dx", "dy")]

@@ -127,6 +127,22 @@ class SampleStatistics(unittest.TestCase):
         # Half of the members match all, the others none: whatever the pairs, as many match.
         self.assertEqual(statistics.pairing_p([[row < 6] * 12 for row in range(12)]), 1.0)
 
+    def test_geometric_means_are_means_of_logarithms(self):
+        doubled = [1.0, 2.0, 4.0, 8.0, 16.0]
+        found, logarithms = statistics.geometric_mean(doubled), statistics.mean([0.0, 1.0, 2.0, 3.0, 4.0])
+        for end in ("value", "low", "high"):
+            self.assertAlmostEqual(getattr(found, end), 2.0 ** getattr(logarithms, end))
+        self.assertAlmostEqual(statistics.geometric_means_ratio(doubled, [3.0] * 5).value, 4.0 / 3.0)
+        self.assertEqual(statistics.geometric_mean([2.0, 8.0]).low, None, "too few")
+
+    def test_ratios_of_geometric_means_lie_in_their_intervals(self):
+        # Two samples of fifteen, whose means are 1.5 times apart: 95 of 100 intervals have it inside, those of a bootstrap some fewer.
+        draw = statistics.np.random.default_rng(2)
+        found = [statistics.geometric_means_ratio(1.5 * draw.lognormal(0.0, 0.2, 15), draw.lognormal(0.0, 0.2, 15)) for _ in range(100)]
+        held = sum(one.low <= 1.5 <= one.high for one in found)
+        self.assertGreaterEqual(held, 86)  # of 92 in 100, fewer come once in fifty times
+        self.assertLess(held, 100)
+
     def test_one_member_has_no_p(self):
         self.assertIsNone(statistics.rank_sum([1.0], range(15)))
         self.assertIsNone(statistics.signed_rank([2.0], [1.0]))
