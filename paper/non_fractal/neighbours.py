@@ -131,7 +131,8 @@ def fitness(row):
 
 def summary():
     """For each champion: which share of its neighbours is fitter, and the gain. These are compared between both kinds of change of the same
-    champions by the signed-rank test, and between fractals and the control by the rank-sum test."""
+    champions by the signed-rank test, gains also between fractals and the control by the rank-sum test. What was planned is the test of the
+    gains of fractals by both changes."""
     of = {}
     for row in read_table(HERE / "neighbours.csv"):
         of.setdefault(row["group"], {}).setdefault(row["seed"], {})[row["change"]] = fitness(row)
@@ -148,6 +149,7 @@ def summary():
                     | mean(fitter[group, kind]).cells("fitter") | share(sum(gain > 1.0 for gain in gains[group, kind]), len(each)).cells("with_fitter")
                     | geometric_mean(gains[group, kind]).cells("gain")
                     | {"p_of_changes": signed_rank(gains[group, "arrangement"], gains[group, "body"]),
+                       "p_of_shares": signed_rank(fitter[group, "arrangement"], fitter[group, "body"]),
                        "p_of_groups": rank_sum(gains[group, kind], gains[other, kind]) if (other, kind) in gains else None})
     write_table(HERE / "neighbours_statistics.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
 

@@ -800,6 +800,81 @@ class ScaleInvariance(Case):
         self.refused("result.toml: cannot be read", self.script, "champion", self.tree, "one_scale", "1")
 
 
+class Neighbours(Case):
+    script = "non_fractal/neighbours.py"
+    plane = "1" * 9 + "0" * 18
+
+    def setUp(self):
+        super().setUp()
+        for name in (self.script, "fractal/again.toml"):
+            shutil.copy(SOURCES / "paper" / name, self.tree / "paper" / name)
+        self.scenes = self.tree / "scenes"
+
+    def champions(self, *robots):
+        write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"], [[*robot[:2], 1, 9, robot[2]] for robot in robots])
+
+    def written(self):
+        return {file.stem for file in self.scenes.glob("*.toml")}
+
+    def walked(self, ways):
+        """What menger simulate writes: the way of a scene, in body lengths, by its name."""
+        for name in self.written():
+            level = int(name.split("-")[2])
+            (self.scenes / name).mkdir(exist_ok=True)
+            (self.scenes / name / "result.toml").write_text(f'status = "completed"\ndisplacement_m = [0.0, {0.01 * 3**level * ways(name)}, 0.0]\n')
+
+    def test_neighbours_differ_in_one_cell_and_are_in_one_piece(self):
+        # Of a plane of nine cells each may go, or be of the other material. A cell on top lets the fractal fall apart, as the body that it stands
+        # for is two cells above the next one; it is a part of the control's body, whose arrangement stays flat. No body can stand on others.
+        self.champions(["two_scales_again", 11, self.plane], ["control_again", 1016, f"{self.plane}|{self.plane}|{self.plane}"])
+        script = module_of("paper/non_fractal/neighbours.py")
+        for robot, on_top in (({"phenotype": self.plane}, 0), ({"phenotype": f"{self.plane}|{self.plane}"}, 2 * 9)):
+            found = script.neighbours(robot)
+            self.assertEqual(found.pop("champion"), (self.plane, self.plane))
+            self.assertEqual(sum(change.startswith("body") for change in found), 2 * 9 + on_top)
+            self.assertEqual({change for change in found if change.startswith("arrangement")}, {f"arrangement_{place}" for place in range(9)})
+        fractal, control = (script.neighbours({"phenotype": phenotype})["body_4_0"] for phenotype in (self.plane, f"{self.plane}|{self.plane}"))
+        ring = "1111011110" + "0" * 17
+        self.assertEqual((fractal, control), ((ring, ring), (ring, self.plane)), "a fractal arranges its bodies as its body")
+        self.assertFalse(script.is_allowed("11" + "0" * 25, self.plane), "the least is three cells")
+
+    def test_compares_changes_of_the_body_with_those_of_the_arrangement(self):
+        self.refused("robots.csv: has no robot of", self.script, "first", self.scenes)
+        self.champions(*[["two_scales_again", seed, self.plane] for seed in range(11, 17)], *[["control_again", seed, f"{self.plane}|{self.plane}"] for seed in range(1016, 1022)])
+        self.done(self.script, "first", self.scenes)
+        self.refused("simulate the scenes of its champions first", self.script, "larger", self.scenes)
+        first = self.written()
+        self.assertEqual(len(first), 6 * (2 + 18) + 6 * (2 + 36))
+
+        # Fractals are slower at 9 cells than at 3, and the control at 3 cells. Bodies of eight cells are slow at 3.
+        def ways(name):
+            group, _, level, change = name.split("-")
+            if group == "control_again":
+                return {"1": 1.0, "2": 2.0}[level]
+            if level == "1":
+                return 1.0 if change.endswith("_0") else 3.0
+            return {"champion": 2.0, "arrangement_0": 2.5, "arrangement_1": 4.0}.get(change, 1.5)
+        self.walked(ways)
+        self.done(self.script, "larger", self.scenes)
+        larger = self.written() - first
+        self.assertEqual(len(larger), 6 * (9 + 9), "of fractals nine arrangements and nine bodies that are fast at 3 cells; nothing is fitter than a champion that is slower at 3")
+        self.assertEqual({name.split("-")[2] for name in larger}, {"2"})
+        scene = tomllib.loads((self.scenes / "two_scales_again-11-2-arrangement_0.toml").read_text())["design"]
+        self.assertEqual((scene["cells"], scene["digits"].count("1")), ([9, 9, 9], 8 * 9))
+        self.walked(ways)
+        self.done(self.script, "take", self.scenes)
+        self.done(self.script, "summary")
+        found = {(row["group"], row["change"]): row for row in table_of(self.tree / "paper/non_fractal/neighbours_statistics.csv")}
+        body, arrangement = (found["two_scales_again", change] for change in ("body", "arrangement"))
+        self.assertEqual([body[name] for name in ("champions", "neighbours", "fitter", "with_fitter", "gain")], ["6", "108", "0", "0", "1"])
+        self.assertEqual([arrangement[name] for name in ("champions", "neighbours", "with_fitter", "gain")], ["6", "54", "1", "1.5"], "as fast at 3 cells as the champion, though 4 at 9")
+        self.assertAlmostEqual(float(arrangement["fitter"]), 2 / 9, delta=1e-4)
+        # All six gain more: with equal differences the signed rank is normal, (21 - 10.5) / sqrt(6 7 13 / 24 - (6^3 - 6) / 48) from its mean.
+        self.assertAlmostEqual(float(arrangement["p_of_changes"]), math.erfc(10.5 / math.sqrt(22.75 - 4.375) / math.sqrt(2)), delta=2e-4)
+        self.assertLess(float(arrangement["p_of_groups"]), 0.01)
+        self.assertEqual([found["control_again", change][name] for change in ("body", "arrangement") for name in ("with_fitter", "gain")], ["0", "1"] * 2)
+
+
 class Trials(Case):
     script = "fractal/trials.py"
     columns = ["generation", "best_fitness_body_lengths", "champion_cells", "hausdorff_dimension", "level_1_displacement_body_lengths",
