@@ -13,7 +13,7 @@ it or removes one: fractals cannot do that, the control can. Robots obey the rul
 at 9 cells per side.
 A robot that is no faster at 3 cells than its champion's fitness, the slower of its two speeds, cannot be fitter. It does not walk at 9 cells.
 The gain is the fitness of the fittest neighbour over that of the champion, and 1 where none is fitter. Where the champion is slower at 3 cells
-than at 9, no change of the arrangement alone is a gain.
+than at 9, no change of the arrangement alone is a gain: such robots do not walk at 9 cells, and count as not fitter.
 Exit codes: 0 done, 2 wrong input.
 """
 
@@ -74,16 +74,20 @@ def write(folder, robot, level, change, parts):
 
 
 def way(folder, robot, level, change):
-    """How far a robot went, in body lengths; None if its walk is not there, or failed."""
-    result = folder / f"{robot['group']}-{robot['seed']}-{level}-{change}" / "result.toml"
-    found = read_toml(result) if result.exists() else {}
+    """How far a robot went, in body lengths; None if its walk failed, or is not there, or that of another robot."""
+    name = f"{robot['group']}-{robot['seed']}-{level}-{change}"
+    scene, walked, result = folder / f"{name}.toml", folder / name / "scene.toml", folder / name / "result.toml"
+    if not all(file.exists() for file in (scene, walked, result)) or scene.read_text() != walked.read_text():
+        return None
+    found = read_toml(result)
     return float(body_lengths(np.array(found["displacement_m"][:2]), level)) if found.get("status") == "completed" else None
 
 
 def of_repetition():
     found = champions(*GROUPS)
-    if not found:
-        raise InputError(f"{HERE.parent}/scale_invariance/robots.csv: has no robot of {', '.join(GROUPS)}: ./run paper scale_invariance two_scales_again control_again")
+    missing = [group for group in GROUPS if group not in {robot["group"] for robot in found}]
+    if missing:
+        raise InputError(f"{HERE.parent}/scale_invariance/robots.csv: has no robot of {', '.join(missing)}: ./run paper scale_invariance {' '.join(missing)}")
     return found
 
 
@@ -92,6 +96,8 @@ def walks_at_smaller(change):
 
 
 def first_scenes(folder):
+    for scene in folder.glob("*.toml"):  # of champions that may be others now; walks that are still asked for stay
+        scene.unlink()
     for robot in of_repetition():
         for change, parts in neighbours(robot).items():
             if walks_at_smaller(change):

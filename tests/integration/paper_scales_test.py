@@ -821,6 +821,7 @@ class Neighbours(Case):
         for name in self.written():
             level = int(name.split("-")[2])
             (self.scenes / name).mkdir(exist_ok=True)
+            shutil.copy(self.scenes / f"{name}.toml", self.scenes / name / "scene.toml")
             (self.scenes / name / "result.toml").write_text(f'status = "completed"\ndisplacement_m = [0.0, {0.01 * 3**level * ways(name)}, 0.0]\n')
 
     def test_neighbours_differ_in_one_cell_and_are_in_one_piece(self):
@@ -839,7 +840,8 @@ class Neighbours(Case):
         self.assertFalse(script.is_allowed("11" + "0" * 25, self.plane), "the least is three cells")
 
     def test_compares_changes_of_the_body_with_those_of_the_arrangement(self):
-        self.refused("robots.csv: has no robot of", self.script, "first", self.scenes)
+        self.champions(["two_scales_again", 11, self.plane])
+        self.refused("robots.csv: has no robot of control_again", self.script, "first", self.scenes)
         self.champions(*[["two_scales_again", seed, self.plane] for seed in range(11, 17)], *[["control_again", seed, f"{self.plane}|{self.plane}"] for seed in range(1016, 1022)])
         self.done(self.script, "first", self.scenes)
         self.refused("simulate the scenes of its champions first", self.script, "larger", self.scenes)
@@ -873,6 +875,12 @@ class Neighbours(Case):
         self.assertAlmostEqual(float(arrangement["p_of_changes"]), math.erfc(10.5 / math.sqrt(22.75 - 4.375) / math.sqrt(2)), delta=2e-4)
         self.assertLess(float(arrangement["p_of_groups"]), 0.01)
         self.assertEqual([found["control_again", change][name] for change in ("body", "arrangement") for name in ("with_fitter", "gain")], ["0", "1"] * 2)
+        # Walks of scenes that changed since are those of other robots.
+        scene = self.scenes / "two_scales_again-11-2-arrangement_1.toml"
+        scene.write_text(scene.read_text() + "# another robot\n")
+        self.done(self.script, "take", self.scenes)
+        (row,) = [row for row in table_of(self.tree / "paper/non_fractal/neighbours.csv") if (row["seed"], row["change"]) == ("11", "arrangement_1")]
+        self.assertEqual(row["level_2_body_lengths"], "")
 
 
 class Trials(Case):
