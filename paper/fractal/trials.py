@@ -6,23 +6,24 @@ trials.py    reads the tables of trials that there are: two_scales/SEED.csv here
              two_scales_balanced/SEED.csv, single_cells/SEED.csv, new_mutants/SEED.csv, body_mutants/SEED.csv in ../non_fractal, and
              again/SEED.csv, again_balanced/SEED.csv, random_search/SEED.csv and three_scales/SEED.csv in both folders
 
-Trials of an arm count up to the last generation that all of them have, or that was planned, so that each can go on at another time.
-Those that went on stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two
-arms are compared at the last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by the rank-sum
-test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their test had been
-looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the outcome of a
-comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of again_balanced/
-without the fault of the simulator: fifteen of each kind, of 60 generations, are tested once, and are in no table and no figure before.
-without_fault.csv asks whether the fault changes the control's lead: how many times as fit the best robot is without the fault as that of the
-same seed with it, fractals against the control.
-scales.csv has each scale of the best robots by itself.
-The best robot of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and
-which takes them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared with trials of random search, which draw as many robots, with trials whose mutants differ in one cell at most and so inherit
-more, and with trials in which no robot comes twice. The control is compared with random search among its own robots, and with trials in
-which every mutant has another body, as mutants of fractals have.
-An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other
-side, else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). That scales do not differ is "not reproduced" if the
-paper's test, the rank sum, tells them apart (p < 0.05), else "open". Dimensions of champions "differ" if they are spread otherwise than the paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
+Trials of an arm count up to the last generation that all of them have, or that was planned, so that each can go on at another time. Those
+that went on stand once more in an arm of their own, such as fractal_longer, up to the last generation that all of these have. Two arms are
+compared at the last generation that both have (on_the_way.csv: every twentieth before it; equal_evaluations.csv: after as many walks): by
+the rank-sum test, or by the signed-rank test where they have the same seeds and so begin with the same robots. Trials went on after their
+test had been looked at. So p_looks is p times the number of looks, one for every twenty generations (Bonferroni), and p_looks decides the
+outcome of a comparison, and of dimensions. Those of again/ repeat the comparison with the control with other seeds, and those of
+again_balanced/ without the fault of the simulator: fifteen of each kind, of 60 generations, are tested once, and are in no table and no
+figure before. without_fault.csv asks whether the fault changes the control's lead: how many times as fit the best robot is without the
+fault as that of the same seed with it, fractals against the control. scales.csv has each scale of the best robots by itself. The best robot
+of a trial at first and at the end, and a champion at two scales, are pairs, too; the rank-sum test, which the paper used and which takes
+them for samples apart, stands beside. The best robot can only rise, so fractal trials are also compared with trials of random search, which
+draw as many robots, with trials whose mutants differ in one cell at most and so inherit more, and with trials in which no robot comes
+twice. The control is compared with random search among its own robots, and with trials in which every mutant has another body, as mutants
+of fractals have.
+An outcome is "reproduced" if an interval lies on the paper's side of what there is without an effect, "not reproduced" on the other side,
+else "open"; where two arms are compared, the test has to agree (p_looks < 0.05). That scales do not differ is "not reproduced" if the
+paper's test, the rank sum, tells them apart (p < 0.05), else "open". Dimensions of champions "differ" if they are spread otherwise than the
+paper's over planes, 2.5 to 2.7, and others, by Freeman and Halton's exact test (its p times the looks < 0.05).
 trials.svg shows the paper's experiment, its control and random search; variants.svg each arm that changes one thing in one of these, or
 in the repetition, against it.
 Exit codes: 0 done, 2 wrong input.

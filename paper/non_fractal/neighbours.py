@@ -139,13 +139,13 @@ def summary():
     """For each champion: which share of its neighbours is fitter, and the gain. These are compared between both kinds of change of the same
     champions by the signed-rank test, gains also between fractals and the control by the rank-sum test. What was planned is the test of the
     gains of fractals by both changes."""
-    of = {}
+    walked = {}
     for row in read_table(HERE / "neighbours.csv"):
-        of.setdefault(row["group"], {}).setdefault(row["seed"], {})[row["change"]] = fitness(row)
+        walked.setdefault(row["group"], {}).setdefault(row["seed"], {})[row["change"]] = fitness(row)
     found = {}
-    for group, every in of.items():
+    for group, every in walked.items():
         for kind in CHANGES:
-            found[group, kind] = [(np.array([one for change, one in walks.items() if change.startswith(kind)]) / walks["champion"]) for walks in every.values()]
+            found[group, kind] = [np.array([one for change, one in walks.items() if change.startswith(kind)]) / walks["champion"] for walks in every.values()]
     gains = {key: [float(max(1.0, ratios.max(initial=0.0))) for ratios in each] for key, each in found.items()}
     fitter = {key: [float(np.mean(ratios > 1.0)) for ratios in each] for key, each in found.items()}
     rows = []
