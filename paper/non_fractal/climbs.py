@@ -1,0 +1,191 @@
+#!/usr/bin/python3
+"""How far do the best fractals get by small changes as fractals, and how far if the arrangement of their bodies may change alone, as in the control?
+
+climbs.py robots                          lists the best fractals of the trials with 140 generations and of the repetition: GROUP SEED
+climbs.py climb FOLDER MENGER GROUP SEED  climbs from one of them in both ways, into FOLDER/GROUP-SEED.csv; MENGER is the program. Walks that are
+                                          in FOLDER already are not done again
+climbs.py take FOLDER                     makes climbs.csv of the climbs of these robots
+climbs.py summary                         makes climbs_statistics.csv
+
+A climb tries robots that differ from the present one in one cell of the body, or in one place of the arrangement (../non_fractal/neighbours.py),
+in random order. It goes on from the first that is fitter, and tries no robot twice. It ends when all that are nearby were tried, or after as many
+as TRIES in all. *as a fractal*: the arrangement is the body, so that a change of the body changes both. *as in the control*: a change of the body
+keeps the arrangement, and the arrangement changes alone, too. Both begin with the same robot.
+Exit codes: 0 done, 2 wrong input, 130 stopped; others are those of menger.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # nothing but results is written beside the studies
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance"), str(HERE)]
+
+import numpy as np  # noqa: E402
+from changed_walks import champions  # noqa: E402
+from neighbours import LARGER, SMALLER, neighbours, parts_of, way, write  # noqa: E402
+from sample_statistics import geometric_mean, mean, share, share_of_larger_pairs, signed_rank  # noqa: E402
+from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
+
+GROUPS = ("two_scales", "two_scales_again")
+WAYS = {"fractal": "as fractals", "free": "as in the control"}
+TRIES = 150  # robots, beside the one that a climb begins with
+COLUMNS = ["group", "seed", "way", "tried", "change", "phenotype", "level_1_body_lengths", "level_2_body_lengths"]
+ENDED = (0, 3)  # exit codes of menger: a walk that failed ended, too
+
+
+def start_of(group, seed):
+    for robot in champions(group):
+        if robot["seed"] == seed:
+            return robot
+    raise InputError(f"{HERE.parent}/scale_invariance/robots.csv: has no robot of {group} with seed {seed}")
+
+
+def nearby(parts, kind):
+    """The changes of a robot that a climb may try: {change: (body, arrangement)}."""
+    body, arrangement = parts
+    if kind == "fractal":
+        return {change: found for change, found in neighbours({"phenotype": body}).items() if change.startswith("body_")}
+    return {change: found for change, found in neighbours({"phenotype": f"{body}|{arrangement}"}).items() if change != "champion"}
+
+
+class Walker:
+    """Walks the robots of one climb, each of them once.
+
+    @param walk walk(level, number, parts): how far a robot goes in body lengths, or None if its walk failed"""
+
+    def __init__(self, walk):
+        self.walk = walk
+        self.of_bodies = {}  # at 3 cells the arrangement does not matter
+        self.number = 0
+
+    def ways(self, parts, least=-1.0):
+        """How far a robot goes at both scales. At 9 cells it does not walk if it is no faster than `least` at 3, so that it cannot be fitter."""
+        self.number += 1
+        body = parts[0]
+        if body not in self.of_bodies:
+            self.of_bodies[body] = self.walk(SMALLER, self.number, parts)
+        smaller = self.of_bodies[body]
+        return smaller, self.walk(LARGER, self.number, parts) if (smaller or 0.0) > least else None
+
+
+def fitness(ways):
+    return min(one or 0.0 for one in ways)
+
+
+def climb(start, kind, walk, random):
+    """The robots of a climb, the first one and each that was fitter, and the last one again with the number of robots tried:
+    [(tried, change, parts, ways at both scales)].
+
+    @param start (body, arrangement)
+    @param walk what Walker asks for
+    @param random a generator of random numbers, of NumPy"""
+    walker, seen, tried = Walker(walk), {start}, 0
+    found = [(0, "start", start, walker.ways(start))]
+
+    def untried():
+        changes = [(change, parts) for change, parts in nearby(found[-1][2], kind).items() if parts not in seen]
+        return [changes[at] for at in random.permutation(len(changes))]
+
+    waiting = untried()
+    while waiting and tried < TRIES:
+        change, parts = waiting.pop()
+        seen.add(parts)
+        tried += 1
+        present = fitness(found[-1][3])
+        ways = walker.ways(parts, present)
+        if fitness(ways) > present:
+            found.append((tried, change, parts, ways))
+            waiting = untried()
+    return [*found, (tried, "end_of_tries" if waiting else "nothing_fitter_nearby", *found[-1][2:])]
+
+
+def menger_walk(folder, program, robot, kind):
+    """What Walker asks for, by menger simulate."""
+    def walk(level, number, parts):
+        change = f"{kind}_{number}"
+        scene = folder / f"{robot['group']}-{robot['seed']}-{level}-{change}.toml"
+        walked = folder / scene.stem / "scene.toml"
+        write(folder, robot, level, change, parts)
+        if not walked.exists() or walked.read_text() != scene.read_text():
+            code = subprocess.run([program, "simulate", scene, "--output", walked.parent], stdout=subprocess.DEVNULL, check=False).returncode
+            if code not in ENDED:
+                sys.exit(code)
+            shutil.copyfile(scene, walked)
+        return way(folder, robot, level, change)
+    return walk
+
+
+def climb_from(folder, program, group, seed):
+    robot = start_of(group, seed)
+    rows = []
+    for kind in WAYS:
+        random = np.random.default_rng([GROUPS.index(group), int(seed), list(WAYS).index(kind)])
+        for tried, change, parts, ways in climb(parts_of(robot), kind, menger_walk(folder, program, robot, kind), random):
+            rows.append([group, seed, kind, tried, change, "|".join(parts), *map(cell, ways)])
+    write_table(folder / f"{group}-{seed}.csv", COLUMNS, rows)
+
+
+def take(folder):
+    rows = []
+    for robot in champions(*GROUPS):
+        of_robot = read_table(folder / f"{robot['group']}-{robot['seed']}.csv")
+        if of_robot[0]["phenotype"] != "|".join(parts_of(robot)):
+            raise InputError(f"{folder}/{robot['group']}-{robot['seed']}.csv: begins with another robot than the best of this search; climb again")
+        rows += of_robot
+    write_table(HERE / "climbs.csv", COLUMNS, rows)
+
+
+def gain_at(steps, tried):
+    """The fitness that a climb has after some tries, over that of the robot that it began with.
+
+    @param steps [(tried, fitness)]"""
+    return max(found for number, found in steps if number <= tried) / steps[0][1]
+
+
+def summary():
+    """How much fitter climbs make the robots that they begin with, in both ways, after some tries and at the end. What was planned is the
+    signed-rank test at the end, of all robots."""
+    climbs, ends = {}, {}
+    for row in read_table(HERE / "climbs.csv"):
+        one = row["group"], row["seed"], row["way"]
+        climbs.setdefault(one, []).append((int(row["tried"]), fitness([float(row[f"level_{level}_body_lengths"] or 0.0) for level in (SMALLER, LARGER)])))
+        ends[one] = row["change"]  # that of its last row
+    rows = []
+    for groups in (GROUPS, *((group,) for group in GROUPS)):
+        starts = sorted({(group, seed) for group, seed, _ in climbs if group in groups})
+        for tries in (50, 100, TRIES):
+            gains = {kind: np.array([gain_at(climbs[*start, kind], tries) for start in starts]) for kind in WAYS}
+            for kind, label in WAYS.items():
+                of_kind = [(*start, kind) for start in starts]
+                rows.append({"groups": " and ".join(groups), "tries": tries, "way": kind, "label": label, "robots": len(starts)}
+                            | geometric_mean(gains[kind]).cells("gain") | mean([climbs[one][-1][0] for one in of_kind]).cells("tried_in_all")
+                            | share(sum(ends[one] == "nothing_fitter_nearby" for one in of_kind), len(of_kind)).cells("nothing_fitter_nearby")
+                            | geometric_mean(gains[kind] / gains["fractal"]).cells("over_fractal")
+                            | share_of_larger_pairs(gains[kind], gains["fractal"]).cells("fitter_than_fractal")
+                            | {"p": signed_rank(gains[kind], gains["fractal"])})
+    write_table(HERE / "climbs_statistics.csv", list(rows[0]), [[cell(value) for value in row.values()] for row in rows])
+
+
+def main(arguments):
+    match arguments:
+        case ["robots"]:
+            for robot in champions(*GROUPS):
+                print(robot["group"], robot["seed"])
+        case ["climb", folder, program, group, seed] if group in GROUPS:
+            climb_from(pathlib.Path(folder), program, group, seed)
+        case ["take", folder]:
+            take(pathlib.Path(folder))
+        case ["summary"]:
+            summary()
+        case _:
+            raise InputError(__doc__)
+
+
+if __name__ == "__main__":
+    try:
+        run_script(main)
+    except KeyboardInterrupt:
+        sys.exit(130)
