@@ -1,16 +1,18 @@
 #!/usr/bin/python3
 """How far do the best fractals get by small changes as fractals, and how far if the arrangement of their bodies may change alone, as in the control?
 
-climbs.py robots                          lists the best fractals of the trials with 140 generations and of the repetition: GROUP SEED
-climbs.py climb FOLDER MENGER GROUP SEED  climbs from one of them in both ways, into FOLDER/GROUP-SEED.csv; MENGER is the program. Walks that are
+climbs.py robots                          lists the best fractals of the trials with 140 generations, of the repetition, and of the repetition with
+                                          balanced beams: GROUP SEED
+climbs.py climb FOLDER MENGER GROUP SEED  climbs from one of them in all ways, into FOLDER/GROUP-SEED.csv; MENGER is the program. Walks that are
                                           in FOLDER already are not done again
 climbs.py take FOLDER                     makes climbs.csv of the climbs of these robots
 climbs.py summary                         makes climbs_statistics.csv
 
-A climb tries robots that differ from the present one in one cell of the body, or in one place of the arrangement (../non_fractal/neighbours.py),
+A climb tries robots that differ from the present one in one cell of the body, or in one place of the arrangement (neighbours.py),
 in random order. It goes on from the first that is fitter, and tries no robot twice. It ends when all that are nearby were tried, or after as many
 as TRIES in all. *as a fractal*: the arrangement is the body, so that a change of the body changes both. *as in the control*: a change of the body
-keeps the arrangement, and the arrangement changes alone, too. Both begin with the same robot.
+keeps the arrangement, and the arrangement changes alone, too. *with the arrangement kept*: a change of the body keeps it, and it never changes.
+All begin with the same robot.
 Exit codes: 0 done, 2 wrong input, 130 stopped; others are those of menger.
 """
 
@@ -29,11 +31,12 @@ from neighbours import LARGER, SMALLER, neighbours, parts_of, way, write  # noqa
 from sample_statistics import geometric_mean, mean, share, share_of_larger_pairs, signed_rank  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 
-GROUPS = ("two_scales", "two_scales_again")
-WAYS = {"fractal": "as fractals", "free": "as in the control"}
+WITH_FAULT = ("two_scales", "two_scales_again")  # of the simulator: ../discrepancies/README.md
+GROUPS = (*WITH_FAULT, "two_scales_again_balanced")
+WAYS = {"fractal": "as fractals", "free": "as in the control", "kept": "with the arrangement kept"}
 TRIES = 150  # robots, beside the one that a climb begins with
 COLUMNS = ["group", "seed", "way", "tried", "change", "phenotype", "level_1_body_lengths", "level_2_body_lengths"]
-ENDED = (0, 3)  # exit codes of menger: a walk that failed ended, too
+ENDED, STOPPED = (0, 3), 130  # exit codes of menger: a walk that failed ended, too
 
 
 def start_of(group, seed):
@@ -48,7 +51,8 @@ def nearby(parts, kind):
     body, arrangement = parts
     if kind == "fractal":
         return {change: found for change, found in neighbours({"phenotype": body}).items() if change.startswith("body_")}
-    return {change: found for change, found in neighbours({"phenotype": f"{body}|{arrangement}"}).items() if change != "champion"}
+    kinds = ("body_", "arrangement_") if kind == "free" else ("body_",)
+    return {change: found for change, found in neighbours({"phenotype": f"{body}|{arrangement}"}).items() if change.startswith(kinds)}
 
 
 class Walker:
@@ -111,6 +115,8 @@ def menger_walk(folder, program, robot, kind):
         write(folder, robot, level, change, parts)
         if not walked.exists() or walked.read_text() != scene.read_text():
             code = subprocess.run([program, "simulate", scene, "--output", walked.parent], stdout=subprocess.DEVNULL, check=False).returncode
+            if code == STOPPED:
+                raise KeyboardInterrupt
             if code not in ENDED:
                 sys.exit(code)
             shutil.copyfile(scene, walked)
@@ -146,15 +152,16 @@ def gain_at(steps, tried):
 
 
 def summary():
-    """How much fitter climbs make the robots that they begin with, in both ways, after some tries and at the end. What was planned is the
-    signed-rank test at the end, of all robots."""
-    climbs, ends = {}, {}
+    """How much fitter climbs make the robots that they begin with, in each way, after some tries and at the end. What was planned is the
+    signed-rank test of climbs as in the control against those as fractals, at the end: of all robots with the fault of the simulator; and, when that
+    was known, of those without it."""
+    climbs, changes = {}, {}
     for row in read_table(HERE / "climbs.csv"):
         one = row["group"], row["seed"], row["way"]
         climbs.setdefault(one, []).append((int(row["tried"]), fitness([float(row[f"level_{level}_body_lengths"] or 0.0) for level in (SMALLER, LARGER)])))
-        ends[one] = row["change"]  # that of its last row
+        changes.setdefault(one, []).append(row["change"])
     rows = []
-    for groups in (GROUPS, *((group,) for group in GROUPS)):
+    for groups in (WITH_FAULT, *((group,) for group in GROUPS if group in {group for group, _, _ in climbs})):
         starts = sorted({(group, seed) for group, seed, _ in climbs if group in groups})
         for tries in (50, 100, TRIES):
             gains = {kind: np.array([gain_at(climbs[*start, kind], tries) for start in starts]) for kind in WAYS}
@@ -162,7 +169,9 @@ def summary():
                 of_kind = [(*start, kind) for start in starts]
                 rows.append({"groups": " and ".join(groups), "tries": tries, "way": kind, "label": label, "robots": len(starts)}
                             | geometric_mean(gains[kind]).cells("gain") | mean([climbs[one][-1][0] for one in of_kind]).cells("tried_in_all")
-                            | share(sum(ends[one] == "nothing_fitter_nearby" for one in of_kind), len(of_kind)).cells("nothing_fitter_nearby")
+                            | mean([sum(change.startswith("body_") for change in changes[one]) for one in of_kind]).cells("steps_of_body")
+                            | mean([sum(change.startswith("arrangement_") for change in changes[one]) for one in of_kind]).cells("steps_of_arrangement")
+                            | share(sum(changes[one][-1] == "nothing_fitter_nearby" for one in of_kind), len(of_kind)).cells("nothing_fitter_nearby")
                             | geometric_mean(gains[kind] / gains["fractal"]).cells("over_fractal")
                             | share_of_larger_pairs(gains[kind], gains["fractal"]).cells("fitter_than_fractal")
                             | {"p": signed_rank(gains[kind], gains["fractal"])})
@@ -188,4 +197,5 @@ if __name__ == "__main__":
     try:
         run_script(main)
     except KeyboardInterrupt:
-        sys.exit(130)
+        print("climbs.py: stopped; the same command goes on", file=sys.stderr)
+        sys.exit(STOPPED)

@@ -8,6 +8,7 @@ trials body_mutants 15 "3 min of two cores" "40 generations of two_scales, of th
 trials_on_request again 15 "7 min of two cores" "60 generations of other seeds, which repeat the comparison with those of fractal" 1016 search again
 trials_on_request again_balanced 15 "7 min of two cores" "the same with beams whose moments balance their forces" 1016 search again_balanced
 part_on_request neighbours "20 min of one core" "robots that differ in one cell from the champions of again, of both; ./run paper scale_invariance two_scales_again control_again makes these"
+part_on_request climbs "1 h of one core" "small changes of the best fractals of two_scales and again, one after the other, with the arrangement bound to the body and free; ./run paper scale_invariance two_scales two_scales_again makes these"
 part_on_request three_scales_40 "about 1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "about 9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "about 6 days of two cores" "fifteen such trials, seeds 1001 to 1015: the paper's control"
@@ -22,6 +23,17 @@ neighbours() {
   done
   "$study/neighbours.py" take "$folder"
   "$study/neighbours.py" summary
+}
+
+climbs() {
+  local folder=$results/climbs robots group seed
+  robots=$("$study/climbs.py" robots)
+  while read -r group seed; do
+    say "climbs from the best fractal of $group $seed"
+    "$study/climbs.py" climb "$folder" build/release/bin/menger "$group" "$seed" </dev/null
+  done <<<"$robots"
+  "$study/climbs.py" take "$folder"
+  "$study/climbs.py" summary
 }
 
 three_scales_40() { search_at_three_scales single_precision 1001 40; }

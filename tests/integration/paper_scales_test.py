@@ -883,6 +883,109 @@ class Neighbours(Case):
         self.assertEqual(row["level_2_body_lengths"], "")
 
 
+class Climbs(Case):
+    script = "non_fractal/climbs.py"
+    plane = "1" * 9 + "0" * 18
+
+    def setUp(self):
+        super().setUp()
+        for name in (self.script, "non_fractal/neighbours.py", "fractal/again.toml"):
+            shutil.copy(SOURCES / "paper" / name, self.tree / "paper" / name)
+        self.folder = self.tree / "climbs"
+
+    def climb(self, kind, speed):
+        """A climb from a plane of nine cells, and all walks that it asked for. speed(level, body, arrangement)"""
+        script, walks = module_of("paper/non_fractal/climbs.py"), []
+
+        def walk(level, _, parts):
+            walks.append((level, *parts))
+            return speed(level, *parts)
+        return script.climb((self.plane, self.plane), kind, walk, script.np.random.default_rng(1)), walks
+
+    def test_tries_each_robot_nearby_once_and_stops_where_nothing_is_fitter(self):
+        # The plane may lose any cell, or get another material in any: 18 robots. In the control a cell on top is a part of the body, too (18), and
+        # the arrangement loses any place by itself (9), and gets none on top, where no body would touch.
+        for kind, nearby in (("fractal", 18), ("free", 18 + 18 + 9)):
+            found, walks = self.climb(kind, lambda level, body, arrangement: 1.0)
+            self.assertEqual([(tried, change) for tried, change, _, _ in found], [(0, "start"), (nearby, "nothing_fitter_nearby")])
+            self.assertEqual(len(set(walks)), len(walks))
+            self.assertEqual(sum(level == 2 for level, _, _ in walks), 1, "who is no faster at 3 cells cannot be fitter")
+            self.assertEqual(sum(level == 1 for level, _, _ in walks), len({body for _, body, _ in walks}), "the arrangement does not matter at 3 cells")
+
+    def test_goes_on_from_the_first_that_is_fitter(self):
+        # The fewer places are taken the faster is the aggregate; the body is fast whatever it is. Least are three cells, and nine of the aggregate.
+        def speed(level, body, arrangement):
+            return 100.0 if level == 1 else 30.0 - sum(digit != "0" for digit in arrangement)
+        for kind in ("fractal", "free"):
+            found, _ = self.climb(kind, speed)
+            gains = [min(ways) for _, _, _, ways in found]
+            self.assertEqual(gains, [*sorted(set(gains)), gains[-1]])
+            self.assertEqual(gains[0], 21.0)
+            self.assertGreaterEqual(gains[-1], 24.0)
+            self.assertEqual(found[-1][1], "nothing_fitter_nearby")
+            best = sum(digit != "0" for digit in found[-1][2][1])
+            for _, arrangement in module_of("paper/non_fractal/climbs.py").nearby(found[-1][2], kind).values():
+                self.assertGreaterEqual(sum(digit != "0" for digit in arrangement), best)
+            for _, change, (body, arrangement), _ in found:
+                self.assertEqual(body == arrangement, kind == "fractal" or change == "start")
+                if kind == "free":
+                    self.assertEqual(body, self.plane)
+                    self.assertIn(change.split("_")[0], ("start", "arrangement", "nothing", "end"))
+            self.assertLessEqual(found[-1][0], 150)
+
+    def program(self, text):
+        file = self.tree / "menger"
+        file.write_text(f"#!/bin/sh\n{text}\n")
+        file.chmod(0o755)
+        return file
+
+    def test_compares_climbs_of_the_same_robots(self):
+        seeds = range(11, 17)
+        write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"], [["two_scales_again", seed, 1, 9, self.plane] for seed in seeds])
+        self.assertEqual(self.done(self.script, "robots").split("\n")[0], "two_scales_again 11")
+        self.refused("has no robot of two_scales with seed 1", self.script, "climb", self.folder, "menger", "two_scales", 1)
+        # 2 body lengths at 3 cells of whatever robot. At 9 cells the whole plane goes one, and robots without a body in its first place go two.
+        # Those without the first cell of the next body, too, fail; a fractal can only lack both.
+        walks = self.program('''mkdir -p "$4"
+digits=$(sed -n 's/^digits = "\\(.*\\)"/\\1/p' "$2")
+case $digits in
+  ???????????????????????????) way=0.06 ;;
+  0000*) echo 'status = "diverged"' > "$4/result.toml"; exit 3 ;;
+  000*) way=0.18 ;;
+  *) way=0.09 ;;
+esac
+printf 'status = "completed"\ndisplacement_m = [0.0, %s, 0.0]\n' "$way" > "$4/result.toml"''')
+        for seed in seeds:
+            self.done(self.script, "climb", self.folder, walks, "two_scales_again", seed)
+        self.done(self.script, "take", self.folder)
+        self.done(self.script, "summary")
+        table = self.tree / "paper/non_fractal/climbs.csv"
+        rows, text = table_of(table), table.read_text()
+        self.assertEqual({row["change"] for row in rows if row["way"] == "fractal"}, {"start", "nothing_fitter_nearby"})
+        self.assertEqual({row["change"] for row in rows if row["way"] == "free"}, {"start", "arrangement_0", "nothing_fitter_nearby"})
+        found = {(row["groups"], row["tries"], row["way"]): row for row in table_of(self.tree / "paper/non_fractal/climbs_statistics.csv")}
+        fractal, free = (found["two_scales and two_scales_again", "150", kind] for kind in ("fractal", "free"))
+        self.assertEqual([fractal[name] for name in ("robots", "gain", "over_fractal", "tried_in_all", "nothing_fitter_nearby", "p")], ["6", "1", "1", "18", "1", "1"])
+        self.assertEqual([free[name] for name in ("robots", "gain", "over_fractal", "fitter_than_fractal", "steps_of_body", "steps_of_arrangement")], ["6", "2", "2", "1", "0", "1"])
+        # All six are twice as fit: with equal differences the signed rank is normal, 10.5 / sqrt(6 7 13 / 24 - (6^3 - 6) / 48) from its mean.
+        self.assertAlmostEqual(float(free["p"]), math.erfc(10.5 / math.sqrt(22.75 - 4.375) / math.sqrt(2)), delta=2e-4)
+        # Nothing is walked again, and a robot that is another one now has no climb yet.
+        for seed in seeds:
+            self.done(self.script, "climb", self.folder, self.program("exit 1"), "two_scales_again", seed)
+        self.done(self.script, "take", self.folder)
+        self.assertEqual(table.read_text(), text)
+        write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"], [["two_scales_again", 11, 1, 8, "0" + self.plane[1:]]])
+        self.refused("begins with another robot", self.script, "take", self.folder)
+
+    def test_a_stop_leaves_no_table_and_an_error_of_the_program_is_its_own(self):
+        write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"], [["two_scales_again", 11, 1, 9, self.plane]])
+        for code in (130, 2):
+            outcome = self.call(self.script, "climb", self.folder, self.program(f"exit {code}"), "two_scales_again", 11)
+            self.assertEqual(outcome.returncode, code)
+            self.assertEqual("the same command goes on" in outcome.stderr, code == 130)
+            self.assertFalse((self.folder / "two_scales_again-11.csv").exists())
+
+
 class Trials(Case):
     script = "fractal/trials.py"
     columns = ["generation", "best_fitness_body_lengths", "champion_cells", "hausdorff_dimension", "level_1_displacement_body_lengths",
