@@ -126,7 +126,7 @@ TEST_F(EvolveOnRanks, GoesOnWithoutARankThatDiesIfMpirunLetsTheOthersLive) {
   unsetenv("OMPI_MCA_orte_enable_recovery");
   kill(test_support::ranks_of(run).at(1), SIGKILL);
   const Outcome outcome = run.wait();
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(test_support::code_of_job(outcome), 0) << outcome.err;
   EXPECT_NE(outcome.out.find("has been silent for 0.5 s: the others go on without it"), std::string::npos) << outcome.out;
   EXPECT_EQ(archive_content(folder_ / "run.sqlite"), expected_);
 }
@@ -135,7 +135,7 @@ TEST_F(EvolveOnRanks, GoesOnWithoutARankThatHangs) {
   const ProgramRun run = start_and_wait({"--rank-patience", "0.5"});
   kill(test_support::ranks_of(run).at(1), SIGSTOP);
   const Outcome outcome = run.wait();
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(test_support::code_of_job(outcome), 0) << outcome.err;
   EXPECT_NE(outcome.out.find("has been silent for 0.5 s: the others go on without it"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Champion: "), std::string::npos) << outcome.out;
   EXPECT_EQ(archive_content(folder_ / "run.sqlite"), expected_);

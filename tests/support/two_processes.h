@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -29,6 +30,15 @@ inline ProgramRun start_two_processes(const std::filesystem::path& folder, const
                                       std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"-n", "2", program});
   return start_under_mpirun(folder, std::move(arguments));
+}
+
+/// Returns the exit code of the job that mpirun ran. Where a rank does not answer, the first one ends the job by MPI_Abort, of
+/// which mpirun says with which code. In its own end, after that, mpirun of Debian 12 (Open MPI 4.1.4 with PMIx 4.2.2) may crash.
+inline int code_of_job(const Outcome& mpirun) {
+  const std::string words = "with errorcode ";
+  const std::size_t code = mpirun.err.find(words);
+  const bool has_crashed = mpirun.signal == SIGSEGV && mpirun.err.find("PMIx_server_finalize") != std::string::npos;
+  return has_crashed && code != std::string::npos ? std::stoi(mpirun.err.substr(code + words.size())) : mpirun.code;
 }
 
 /// Returns the processes that mpirun has started on this machine, by rank.
