@@ -102,16 +102,24 @@ def mcnemar(before, after):
     return float(stats.binomtest(gained, gained + lost).pvalue) if gained + lost else 1.0
 
 
-def pairing_p(matches):
+def pairing_p(*steps):
     """The two-sided p of a permutation test: whether members match themselves more or less often than they would if they were paired at
-    random. None of one member.
+    random; with more than one step, at all of them. None of one member.
 
-    @param matches a square table, yes or no: whether the first side of a member (row) matches the second side of a member (column)"""
-    matches = np.asarray(matches, dtype=bool)
-    if len(matches) < 2:
+    @param steps square tables, yes or no: whether a side of a member (row) matches the next side of a member (column). Of one step, whether the first
+    side matches the second; of two, also whether the second matches the third"""
+    steps = [np.asarray(step, dtype=bool) for step in steps]
+    if len(steps[0]) < 2:
         return None
-    places = np.arange(len(matches))
-    return float(stats.permutation_test((places,), lambda order, axis: matches[places, order.astype(int)].sum(axis=axis), permutation_type="pairings",
+    places = np.arange(len(steps[0]))
+
+    def matching(*orders, axis):
+        before, found = places, True
+        for step, order in zip(steps, orders):
+            found, before = found & step[before, order.astype(int)], order.astype(int)
+        return found.sum(axis=axis)
+
+    return float(stats.permutation_test((places,) * len(steps), matching, permutation_type="pairings",
                                         vectorized=True, batch=1000, n_resamples=PAIRINGS, random_state=np.random.default_rng(SEED)).pvalue)
 
 

@@ -284,15 +284,17 @@ def by_chance_twice(first, second):
 
 
 def at_all_scales(sets):
-    """Of the robots of each group that move at the two smallest levels and end their walks at all three: how many carry over at both steps. A group
-    with one such robot shows that there are some."""
+    """Of the robots of each group that move at the two smallest levels and end their walks at all three: how many carry over at both steps, and
+    whether more do than by chance."""
     made = []
     for group, (label, rows) in sets.items():
         there = that_move(that_move(rows, *LEVELS[:2]), *LEVELS[1:])
         if there:
             steps = [of_all_pairs(ends(there, lower), ends(there, lower + 1))["carried_over"] for lower in LEVELS[:-1]]
             found = share(int(np.logical_and(*(step.diagonal() for step in steps)).sum()), len(there))
-            row = {"group": group, "label": label, "robots": len(there)} | found.cells("carried_over") | {"by_chance": by_chance_twice(*steps), "found_outcome": "reproduced" if found.value > 0.0 else "open"}
+            chance, p = by_chance_twice(*steps), pairing_p(*steps)
+            row = {"group": group, "label": label, "robots": len(there)} | found.cells("carried_over") | {"by_chance": chance, "p_by_chance": p}
+            row["found_outcome"] = "reproduced" if tells_apart(p) and found.value > chance else "open"
             made.append({key: cell(value) for key, value in row.items()})
     return made
 

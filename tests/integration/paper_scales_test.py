@@ -555,11 +555,16 @@ class ScaleInvariance(Case):
     def test_finds_robots_that_do_the_same_at_all_scales(self):
         # Three of four go on as they did at the second step, two at the first; one does at both. The fifth ends no walk at 27 cells.
         ends = ([0.06, 0, 0.18, 0, 0.54, 0], [0.06, 0, 0.18, 0, 0, 0.54], [0.06, 0, 0, 0.18, 0, 0.54], [0.06, 0, 0, 0.18, 0, 0.54], [0.06, 0, 0.18, 0, "", ""])
-        self.champions([["two_scales", n, body(n), *walk] for n, walk in enumerate(ends)])
+        # Five of another group go five ways, 72 degrees apart, each the same at all scales.
+        ways = [(0.06 * math.cos(angle), 0.06 * math.sin(angle)) for angle in (0.4 * math.pi * n for n in range(5))]
+        self.champions([["two_scales", n, body(n), *walk] for n, walk in enumerate(ends)] +
+                       [["two_scales_again", n, body(n), *(scale * end for scale in (1, 3, 9) for end in way)] for n, way in enumerate(ways)])
         self.done(self.script, "summary")
         folder = self.tree / "paper/scale_invariance"
-        (row,) = table_of(folder / "all_scales.csv")
-        self.assertEqual([row[name] for name in ("robots", "carried_over", "found_outcome")], ["4", "0.25", "reproduced"])
+        row, again = table_of(folder / "all_scales.csv")
+        self.assertEqual([row[name] for name in ("robots", "carried_over", "found_outcome")], ["4", "0.25", "open"])
+        self.assertEqual([again[name] for name in ("robots", "carried_over", "by_chance", "found_outcome")], ["5", "1", "0", "reproduced"])
+        self.assertAlmostEqual(float(again["p_by_chance"]), 2 / 120**2, delta=1e-7)
         # All go along x at first, two of them at 9 cells (0 and 1), and at 27 only the first one. Of the 24 triples of different robots those match whose
         # second one is 1, and whose third one is 0: the first one is 2 or 3. And those whose second one is 0 have no third one.
         self.assertEqual(row["by_chance"], f"{2 / 24:.4g}")

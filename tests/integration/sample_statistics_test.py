@@ -126,6 +126,11 @@ class SampleStatistics(unittest.TestCase):
         self.assertEqual(statistics.pairing_p(ring), 2 / 100000)
         # Half of the members match all, the others none: whatever the pairs, as many match.
         self.assertEqual(statistics.pairing_p([[row < 6] * 12 for row in range(12)]), 1.0)
+        # At two steps the sides are permuted twice: one of 24^2 pairs of permutations leaves all as they are.
+        themselves = [[row == column for column in range(4)] for row in range(4)]
+        self.assertAlmostEqual(statistics.pairing_p(themselves, themselves), 2 / 24**2)
+        # Where all match at the second step, only the first one counts.
+        self.assertAlmostEqual(statistics.pairing_p(themselves, [[True] * 4] * 4), 2 / 24)
 
     def test_geometric_means_are_means_of_logarithms(self):
         doubled = [1.0, 2.0, 4.0, 8.0, 16.0]
