@@ -76,7 +76,8 @@ named_trials() {
 list() {
   local name
   echo "Experiments and their parts, with rough costs on two idle cores of a Xeon. NAME_{1..10} stands for ten parts, NAME_1 to NAME_10; the cost is that of one."
-  echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, heredity, phase_wave, single_actuator and scale_invariance N generations:"
+  echo "GENERATIONS=N before the command gives searches of fractal, non_fractal, heredity, phase_wave, single_actuator and scale_invariance N generations."
+  echo
   for name in ${1:-$(experiments)}; do
     printf '%s: %s\n' "$name" "$(sed -n '1s/^# //p' "paper/$name/experiment.sh")"
     (

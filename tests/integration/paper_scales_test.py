@@ -968,10 +968,10 @@ printf 'status = "completed"\ndisplacement_m = [0.0, %s, 0.0]\n' "$way" > "$4/re
         rows, text = table_of(table), table.read_text()
         self.assertEqual({row["change"] for row in rows if row["way"] == "fractal"}, {"start", "nothing_fitter_nearby"})
         self.assertEqual({row["change"] for row in rows if row["way"] == "free"}, {"start", "arrangement_0", "nothing_fitter_nearby"})
-        found = {(row["groups"], row["tries"], row["way"]): row for row in table_of(self.tree / "paper/non_fractal/climbs_statistics.csv")}
-        fractal, free = (found["two_scales and two_scales_again", "150", kind] for kind in ("fractal", "free"))
-        self.assertEqual([fractal[name] for name in ("robots", "gain", "over_fractal", "tried_in_all", "nothing_fitter_nearby", "p")], ["6", "1", "1", "18", "1", "1"])
-        self.assertEqual([free[name] for name in ("robots", "gain", "over_fractal", "fitter_than_fractal", "steps_of_body", "steps_of_arrangement")], ["6", "2", "2", "1", "0", "1"])
+        found = {(row["robots"], row["way"]): row for row in table_of(self.tree / "paper/non_fractal/climbs_statistics.csv")}
+        fractal, free = (found["with_fault", kind] for kind in ("fractal", "free"))
+        self.assertEqual([fractal[name] for name in ("number", "gain", "over_fractal", "tried", "nothing_fitter_nearby", "p")], ["6", "1", "", "18", "1", ""])
+        self.assertEqual([free[name] for name in ("number", "gain", "over_fractal", "fitter_than_fractal", "steps_of_body", "steps_of_arrangement", "fitter_outcome")], ["6", "2", "2", "1", "0", "1", "reproduced"])
         # All six are twice as fit: with equal differences the signed rank is normal, 10.5 / sqrt(6 7 13 / 24 - (6^3 - 6) / 48) from its mean.
         self.assertAlmostEqual(float(free["p"]), math.erfc(10.5 / math.sqrt(22.75 - 4.375) / math.sqrt(2)), delta=2e-4)
         # Nothing is walked again, and a robot that is another one now has no climb yet.
