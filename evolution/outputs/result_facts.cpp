@@ -258,6 +258,21 @@ RankingFacts ranking_facts(const CommandOutput& output) {
   return facts;
 }
 
+/// @param unit in the names of columns
+std::vector<ConfirmedWalk> confirmed_walks(const io::CsvContents& table, const std::string& unit) {
+  std::vector<ConfirmedWalk> walks;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    walks.push_back({.rank = text_in(table, row, "rank"),
+                     .individual = text_in(table, row, "individual"),
+                     .fitness = number_in(table, row, "fitness_" + unit),
+                     .elements = text_in(table, row, "fidelity"),
+                     .score = number_in(table, row, "score_" + unit),
+                     .angle_deg = number_in(table, row, "angle_deg"),
+                     .reason = text_in(table, row, "reason")});
+  }
+  return walks;
+}
+
 SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandOutput>& outputs) {
   const SearchTables tables = read_search_tables(output, outputs);
   SearchFacts facts{.source = tables.source, .unit = {}};
@@ -279,6 +294,9 @@ SearchFacts search_facts(const CommandOutput& output, const std::vector<CommandO
     evaluations += number_in(generations, row, "evaluations").value_or(0.0);
   }
   facts.evaluations = evaluations;
+  const std::string before_unit = "best_fitness_";
+  if (tables.confirmed && fitness.starts_with(before_unit))
+    facts.confirmed = confirmed_walks(*tables.confirmed, fitness.substr(before_unit.size()));
   if (facts.last_fitness && tables.walk_over_fitness)
     facts.is_walk = *facts.last_fitness * *tables.walk_over_fitness >= meshes::walk_limits::least_body_lengths;
   return facts;

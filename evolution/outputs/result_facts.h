@@ -127,6 +127,17 @@ struct RankingFacts {
   std::string best_design{};  ///< "rank 2 of the search"
 };
 
+/// A walk of one of the best robots of a search on finer elements.
+struct ConfirmedWalk {
+  std::string rank{};                 ///< of the robot, among the different robots of the search, from 1
+  std::string individual{};           ///< its number in the search
+  std::optional<double> fitness{};    ///< in the search
+  std::string elements{};             ///< "standard"
+  std::optional<double> score{};      ///< in the unit of the fitness; none if the walk failed
+  std::optional<double> angle_deg{};  ///< between the ways in the search and here
+  std::string reason{};               ///< why it failed
+};
+
 /// What a search says.
 struct SearchFacts {
   std::string source{};
@@ -137,6 +148,7 @@ struct SearchFacts {
   std::optional<double> last_fitness{};   ///< the best in it
   std::string unit{};                     ///< of the fitness, for people
   std::optional<double> evaluations{};
+  std::vector<ConfirmedWalk> confirmed{};  ///< robot by robot, the best first; empty if none walked on finer elements
   bool is_walk = true;  ///< whether the last fitness is that of a walk, see meshes::walk_limits; true where it is not known
 };
 

@@ -6,6 +6,7 @@
 
 #include "evolution/archive/archive_files.h"
 #include "evolution/archive/run_archive.h"
+#include "evolution/report/confirmation.h"
 #include "evolution/report/generation_summary.h"
 #include "evolution/report/study_view.h"
 #include "evolution/study/study_file.h"
@@ -20,10 +21,11 @@ namespace fs = std::filesystem;
 
 fs::path archive_of(const CommandOutput& evolved) { return archive_beside(evolved.manifest, ".manifest.json"); }
 
-std::optional<io::CsvContents> exported_lineage(const CommandOutput& exported) {
-  const fs::path lineage = exported.folder / "lineage.csv";
-  if (!io::is_file(lineage)) return std::nullopt;
-  return io::read_csv(lineage);
+/// A table of an export, if it has it.
+std::optional<io::CsvContents> exported_table(const CommandOutput& exported, const char* name) {
+  const fs::path table = exported.folder / name;
+  if (!io::is_file(table)) return std::nullopt;
+  return io::read_csv(table);
 }
 
 bool reads_study(const CommandOutput& output, const std::string& hash) {
@@ -37,7 +39,7 @@ void take_exported_lineage(SearchTables& tables, const std::string& study_hash, 
     const fs::path table = output.folder / "generations.csv";
     try {
       if (!io::is_file(table) || io::read_csv(table).row_count() != tables.generations.row_count()) continue;
-      tables.lineage = exported_lineage(output);
+      tables.lineage = exported_table(output, "lineage.csv");
     } catch (const io::InputError&) {
       continue;  // a damaged export says nothing of its archive
     }
@@ -59,6 +61,8 @@ SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<C
                       .lineage = std::nullopt};
   tables.is_of_period = measured_periods(study).has_value();
   tables.walk_over_fitness = walked_body_lengths(study, 1.0);
+  if (const std::vector<Confirmation> confirmed = confirmations(study, archive); !confirmed.empty())
+    tables.confirmed = io::parse_csv(confirmation_table(study, confirmed).text(), file);
   take_exported_lineage(tables, io::content_hash(archive.study()), outputs);
   if (tables.lineage) return tables;
   tables.lineage_of = "the fittest robot";
@@ -71,8 +75,9 @@ SearchTables tables_of_archive(const CommandOutput& evolved, const std::vector<C
 SearchTables exported_tables(const CommandOutput& exported) {
   return {.source = file_of(exported, "generations.csv"),
           .generations = io::read_csv(exported.folder / "generations.csv"),
-          .lineage = exported_lineage(exported),
-          .lineage_source = file_of(exported, "lineage.csv")};
+          .lineage = exported_table(exported, "lineage.csv"),
+          .lineage_source = file_of(exported, "lineage.csv"),
+          .confirmed = exported_table(exported, "confirmed.csv")};
 }
 
 /// The hash of the study in an archive, by which exports name it; empty if it cannot be read.

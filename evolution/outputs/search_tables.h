@@ -19,6 +19,8 @@ struct SearchTables {
   /// How many times as far as its fitness a robot walks: the number of periods if the fitness is the displacement in one, else 1.
   /// None if it is not known: an export does not say.
   std::optional<double> walk_over_fitness{};
+  /// The walks of its best robots on finer elements, see confirmation_table; none if the search has none.
+  std::optional<io::CsvContents> confirmed{};
   bool is_of_period = false;  ///< whether the fitness is known to be the displacement in a period
 };
 

@@ -67,6 +67,52 @@ Finding search_finding(const SearchFacts& facts, bool several) {
   return {facts.is_walk && (improved || facts.generations <= 1) ? Tone::good : Tone::caution, text, facts.source};
 }
 
+/// Whether a walk on finer elements is about that of the search, see judging_words.
+bool keeps_its_walk(const ConfirmedWalk& walk) {
+  if (!walk.score || !walk.fitness) return false;
+  const double slower = std::min(*walk.score, *walk.fitness);
+  const double faster = std::max(*walk.score, *walk.fitness);
+  return slower > 0.0 && faster <= meshes::walk_limits::same_speed * slower &&
+         walk.angle_deg.value_or(0.0) <= meshes::walk_limits::same_direction_deg;
+}
+
+/// "0.356 on standard elements (turned by 14 degrees)"
+std::string confirmed_text(const ConfirmedWalk& walk) {
+  std::string text = (walk.score ? shown_number(walk.score) : std::string("no walk")) + " on " + walk.elements + " elements";
+  if (walk.angle_deg) text += " (turned by " + io::degrees(*walk.angle_deg) + ")";
+  if (!walk.score && !walk.reason.empty()) text += " (" + walk.reason + ")";
+  return text;
+}
+
+/// What the best robots of a search do on finer elements. @param facts which have such walks
+Finding confirmation_finding(const SearchFacts& facts, bool several) {
+  std::string robots;
+  std::vector<bool> keep;  // of each robot, whether all of its walks are about that of the search
+  std::string rank;
+  for (const ConfirmedWalk& walk : facts.confirmed) {
+    if (walk.rank != rank) {
+      rank = walk.rank;
+      keep.push_back(true);
+      if (!robots.empty()) robots += ". ";
+      robots += "Number " + rank + " (individual " + walk.individual + ") has " + shown_number(walk.fitness) + " in the search";
+    }
+    robots += ", " + confirmed_text(walk);
+    keep.back() = keep.back() && keeps_its_walk(walk);
+  }
+  const auto first = std::ranges::find(keep, true);
+  const bool is_best = first == keep.begin();
+  const bool is_none = first == keep.end();
+  std::string text = several ? "Search " + facts.source + ": " : "";
+  text += is_best   ? "Its best robot keeps its walk on finer elements."
+          : is_none ? "None of its robots that were tried on finer elements keeps its walk."
+                    : "Its best robot does not keep its walk on finer elements, number " +
+                          std::to_string(first - keep.begin() + 1) + " does.";
+  return {is_best   ? Tone::good
+          : is_none ? Tone::bad
+                    : Tone::caution,
+          text + " In " + facts.unit + ": " + robots + ".", facts.source};
+}
+
 Finding modes_finding(const ModesFacts& facts) {
   if (!facts.first_frequency_Hz)
     return {Tone::caution, "No natural frequency was found (" + std::string(io::to_string(facts.status)) + ").", facts.source};
@@ -156,9 +202,14 @@ Verdict verdict_of(const ReportFacts& facts) {
     findings.push_back({Tone::note, "The parameters of the surrogate came with menger: " + shipped.file + ".", shipped.source});
   if (facts.calibrations.empty() && facts.shipped.empty())
     findings.push_back(missing("A calibration of the surrogate", "calibrate"));
-  for (const SearchFacts& search : facts.searches) findings.push_back(search_finding(search, facts.searches.size() > 1));
+  for (const SearchFacts& search : facts.searches) {
+    findings.push_back(search_finding(search, facts.searches.size() > 1));
+    if (!search.confirmed.empty()) findings.push_back(confirmation_finding(search, facts.searches.size() > 1));
+  }
   for (const RankingFacts& ranking : facts.rankings) findings.push_back(ranking_finding(ranking));
-  if (!facts.searches.empty() && facts.rankings.empty())
+  const bool is_any_confirmed =
+      std::ranges::any_of(facts.searches, [](const SearchFacts& one) { return !one.confirmed.empty(); });
+  if (!facts.searches.empty() && facts.rankings.empty() && !is_any_confirmed)
     findings.push_back(missing("Whether the robots of the search walk on finer elements", "reevaluate"));
   for (const ModesFacts& modes : facts.modes) findings.push_back(modes_finding(modes));
   std::stable_partition(findings.begin(), findings.end(), [](const Finding& finding) { return finding.tone != Tone::missing; });

@@ -449,6 +449,10 @@ TEST_F(ReportSectionsTest, ShowTheProgressAndLineageOfAnExportedSearch) {
         "0,0.1,1,2.7,0.05,4,0\n1,0.3,7,2.7,0.1,5,0\n");
   write("export/lineage.csv",
         "generation,individual,parent,fitness_body_lengths,cells,phenotype\n0,1,,0.1,20,111000\n1,7,1,0.3,21,111100\n");
+  write(
+      "export/confirmed.csv",
+      "rank,individual,design,cells,fitness_body_lengths,fidelity,score_body_lengths,ratio,angle_deg,along_body_lengths,reason\n"
+      "1,7,ab,21,0.3,standard,,,,0,the body has fallen\n1,7,ab,21,0.3,fine,0.25,0.83,12,0.24,\n");
   const PageSection search = section({output("export")}, "search");
   EXPECT_EQ(search.tables.at(0).columns, (std::vector<std::string>{"generation", "best fitness (body lengths)", "champion",
                                                                    "mean fitness (body lengths)", "evaluations"}));
@@ -462,6 +466,14 @@ TEST_F(ReportSectionsTest, ShowTheProgressAndLineageOfAnExportedSearch) {
   EXPECT_EQ(facts.last_generation, "1");
   EXPECT_EQ(facts.last_fitness, 0.3);
   EXPECT_EQ(facts.evaluations, 9.0);
+  ASSERT_EQ(facts.confirmed.size(), 2U);
+  EXPECT_EQ(facts.confirmed[0].elements, "standard");
+  EXPECT_EQ(facts.confirmed[0].score, std::nullopt);
+  EXPECT_EQ(facts.confirmed[0].reason, "the body has fallen");
+  EXPECT_EQ(facts.confirmed[1].individual, "7");
+  EXPECT_EQ(facts.confirmed[1].fitness, 0.3);
+  EXPECT_EQ(facts.confirmed[1].score, 0.25);
+  EXPECT_EQ(facts.confirmed[1].angle_deg, 12.0);
 }
 
 TEST_F(ReportSectionsTest, ShowFrequenciesUnderPressure) {

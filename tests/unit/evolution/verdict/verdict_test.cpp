@@ -724,6 +724,45 @@ TEST(Verdict, SaysWhetherASearchImproved) {
   EXPECT_EQ(finding_with(verdict_of(facts), "found no robot with a fitness").tone, Tone::bad);
 }
 
+TEST(Verdict, SaysWhetherTheBestRobotsOfASearchKeepTheirWalkOnFinerElements) {
+  ReportFacts facts;
+  facts.searches = {
+      {.source = "run.sqlite", .generations = 1, .last_generation = "0", .last_fitness = 0.3, .unit = "body lengths"}};
+  std::vector<ConfirmedWalk>& walks = facts.searches.front().confirmed;
+  const ConfirmedWalk first{
+      .rank = "1", .individual = "47", .fitness = 0.3, .elements = "standard", .score = 0.21, .angle_deg = 44.0};
+  walks = {first};
+  EXPECT_EQ(
+      finding_with(verdict_of(facts),
+                   "Its best robot keeps its walk on finer elements. In body lengths: Number 1 (individual 47) has 0.3 in the "
+                   "search, 0.21 on standard elements (turned by 44 degrees).")
+          .tone,
+      Tone::good);
+  for (const Finding& finding : verdict_of(facts).findings) EXPECT_NE(finding.source, "menger reevaluate") << finding.text;
+  // Each of these is no such walk: slower or faster by more than half, turned by more than 45 degrees, backwards, none.
+  for (const auto& [score, angle_deg] : std::initializer_list<std::pair<std::optional<double>, double>>{
+           {0.19, 0.0}, {0.46, 0.0}, {0.3, 46.0}, {-0.3, 0.0}, {std::nullopt, 0.0}}) {
+    walks = {first, first};
+    walks.back().elements = "fine";
+    walks.back().score = score;
+    walks.back().angle_deg = angle_deg;
+    EXPECT_EQ(finding_with(verdict_of(facts), "None of its robots that were tried on finer elements keeps its walk.").tone,
+              Tone::bad);
+  }
+  walks.back() = {.rank = "1", .individual = "47", .fitness = 0.3, .elements = "fine", .reason = "the body has fallen"};
+  EXPECT_NE(finding_with(verdict_of(facts), "(turned by 44 degrees), no walk on fine elements (the body has fallen).").text, "");
+  walks.push_back({.rank = "2", .individual = "8", .fitness = 0.25, .elements = "standard", .score = 0.25});
+  walks.push_back({.rank = "2", .individual = "8", .fitness = 0.25, .elements = "fine", .score = 0.2});
+  const Finding second =
+      finding_with(verdict_of(facts), "Its best robot does not keep its walk on finer elements, number 2 does.");
+  EXPECT_EQ(second.tone, Tone::caution);
+  EXPECT_TRUE(
+      second.text.ends_with(". Number 2 (individual 8) has 0.25 in the search, 0.25 on standard elements, 0.2 on fine elements."))
+      << second.text;
+  facts.searches.push_back(facts.searches.front());
+  EXPECT_NE(finding_with(verdict_of(facts), "Search run.sqlite: Its best robot does not").text, "");
+}
+
 TEST(Verdict, SaysWhatIsMissingLast) {
   const Verdict verdict = verdict_of(two_walks(0.8, 0.0, 0.8, 0.0));
   const auto first = std::ranges::find(verdict.findings, Tone::missing, &Finding::tone);
