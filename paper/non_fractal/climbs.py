@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """How far do the best fractals get by small changes as fractals, and how far if the arrangement of their bodies may change alone, as in the control?
 
-climbs.py robots                          lists the best fractals of the trials with 140 generations, of the repetition, and of the repetition with
-                                          balanced beams: GROUP SEED
+climbs.py robots                          lists the robots to begin with: GROUP SEED. The best fractals of the trials with 140 generations, of the
+                                          repetition, and of the repetition with balanced beams; and random fractals, which no search has selected
 climbs.py climb FOLDER MENGER GROUP SEED  climbs from one of them in all ways, into FOLDER/GROUP-SEED.csv; MENGER is the program. Walks that are
                                           in FOLDER already are not done again
 climbs.py take FOLDER                     makes climbs.csv of the climbs of these robots
@@ -27,23 +27,39 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance"), str(HER
 
 import numpy as np  # noqa: E402
 from changed_walks import champions  # noqa: E402
-from neighbours import LARGER, SMALLER, neighbours, parts_of, way, write  # noqa: E402
+from neighbours import LARGER, SMALLER, is_allowed, neighbours, parts_of, way, write  # noqa: E402
+from scale_invariance import LEAST_BODY_LENGTHS, body_lengths  # noqa: E402
 from sample_statistics import OUTCOMES, geometric_mean, mean, share, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 
 WITH_FAULT = ("two_scales", "two_scales_again")  # of the simulator: ../discrepancies/README.md
-GROUPS = (*WITH_FAULT, "two_scales_again_balanced")
+GROUPS = (*WITH_FAULT, "two_scales_again_balanced", "random")
+RANDOM = 25  # robots
 SETS = {"with_fault": ("both kinds below", WITH_FAULT), "two_scales": ("after 140 generations", ("two_scales",)),
         "two_scales_again": ("of the repetition", ("two_scales_again",)),
-        "without_fault": ("of the repetition with balanced beams", ("two_scales_again_balanced",))}
+        "without_fault": ("of the repetition with balanced beams", ("two_scales_again_balanced",)), "random": ("random fractals", ("random",))}
 WAYS = {"fractal": "as fractals", "free": "as in the control", "kept": "with the arrangement kept"}
 TRIES = 150  # robots, beside the one that a climb begins with
 COLUMNS = ["group", "seed", "way", "tried", "change", "phenotype", "level_1_body_lengths", "level_2_body_lengths"]
 ENDED, STOPPED = (0, 3), 130  # exit codes of menger: a walk that failed ended, too
 
 
+def random_fractals():
+    """The first of the random robots that searches could have drawn, and that move at both scales."""
+    found = {}
+    for row in champions("random"):
+        ends_m = {level: np.array([float(row[f"level_{level}_{axis}_m"] or 0.0) for axis in ("dx", "dy")]) for level in (SMALLER, LARGER)}
+        if is_allowed(*parts_of(row)) and all(body_lengths(end_m, level) >= LEAST_BODY_LENGTHS for level, end_m in ends_m.items()):
+            found.setdefault(row["phenotype"], row | {"seed": row["robot"]})
+    return list(found.values())[:RANDOM]
+
+
+def starts(*groups):
+    return [robot for group in groups for robot in (random_fractals() if group == "random" else champions(group))]
+
+
 def start_of(group, seed):
-    for robot in champions(group):
+    for robot in starts(group):
         if robot["seed"] == seed:
             return robot
     raise InputError(f"{HERE.parent}/scale_invariance/robots.csv: has no robot of {group} with seed {seed}")
@@ -149,7 +165,7 @@ def climb_from(folder, program, group, seed):
 
 def take(folder):
     rows = []
-    for robot in champions(*GROUPS):
+    for robot in starts(*GROUPS):
         of_robot = read_table(folder / f"{robot['group']}-{robot['seed']}.csv")
         if of_robot[0]["phenotype"] != "|".join(parts_of(robot)):
             raise InputError(f"{folder}/{robot['group']}-{robot['seed']}.csv: begins with another robot than the best of this search; climb again")
@@ -165,10 +181,10 @@ def summary():
         climbs.setdefault((row["group"], row["seed"], row["way"]), []).append(row)
     rows = []
     for name, (label, groups) in SETS.items():
-        starts = sorted({(group, seed) for group, seed, _ in climbs if group in groups})
-        gains = {way: np.array([fitness_of(climbs[*start, way][-1]) / fitness_of(climbs[*start, way][0]) for start in starts]) for way in WAYS}
-        for way, of_way in WAYS.items() if starts else ():
-            made = [climbs[*start, way] for start in starts]
+        begun = sorted({(group, seed) for group, seed, _ in climbs if group in groups})
+        gains = {way: np.array([fitness_of(climbs[*start, way][-1]) / fitness_of(climbs[*start, way][0]) for start in begun]) for way in WAYS}
+        for way, of_way in WAYS.items() if begun else ():
+            made = [climbs[*start, way] for start in begun]
             rows.append({"robots": name, "way": way, "label": label, "way_label": of_way, "number": len(made)}
                         | geometric_mean(gains[way]).cells("gain") | mean([int(climb[-1]["tried"]) for climb in made]).cells("tried")
                         | mean([steps(climb, "body_") for climb in made]).cells("steps_of_body")
@@ -186,7 +202,7 @@ def summary():
 def main(arguments):
     match arguments:
         case ["robots"]:
-            for robot in champions(*GROUPS):
+            for robot in starts(*GROUPS):
                 print(robot["group"], robot["seed"])
         case ["climb", folder, program, group, seed] if group in GROUPS:
             climb_from(pathlib.Path(folder), program, group, seed)

@@ -32,7 +32,8 @@ from svg_figure import letter_panels, pyplot_for_svg, settle, write_svg  # noqa:
 
 COLUMNS = ["group", "seed", "phenotype", "level", "change", "dx_m", "dy_m"]
 ONE_MATERIAL = {"phase_wave": "one material, a wave", "single_actuator": "one material, in phase"}  # searches of other experiments at two scales
-SEARCH_STUDIES = {"one_scale": HERE / "one_scale.toml", "two_scales": HERE.parent / "fractal" / "two_scales.toml",
+SEARCH_STUDIES = {"random": HERE.parent / "fractal" / "two_scales.toml",  # as they walk in searches
+                  "one_scale": HERE / "one_scale.toml", "two_scales": HERE.parent / "fractal" / "two_scales.toml",
                   "two_scales_again": HERE.parent / "fractal" / "again.toml", "control_again": HERE.parent / "non_fractal" / "again.toml", "three_scales": HERE.parent / "fractal" / "single_precision.toml", "one_scale_balanced": HERE / "one_scale_balanced.toml",
                   "two_scales_balanced": HERE.parent / "fractal" / "two_scales_balanced.toml",
                   "two_scales_again_balanced": HERE.parent / "fractal" / "again_balanced.toml", "control_again_balanced": HERE.parent / "non_fractal" / "again_balanced.toml"} | {name: HERE.parent / name / "two_scales.toml" for name in ONE_MATERIAL}
