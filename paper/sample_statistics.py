@@ -103,8 +103,8 @@ def mcnemar(before, after):
 
 
 def pairing_p(*steps):
-    """The two-sided p of a permutation test: whether members match themselves more or less often than they would if they were paired at
-    random; with more than one step, at all of them. None of one member.
+    """The two-sided p of a permutation test: do members match themselves more, or less, often than if they were paired at random? With two tables, at
+    both steps. A random pair may be of a member and itself. None if there is one member.
 
     @param steps square tables, yes or no: whether a side of a member (row) matches the next side of a member (column). Of one step, whether the first
     side matches the second; of two, also whether the second matches the third"""

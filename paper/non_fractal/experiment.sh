@@ -8,7 +8,7 @@ trials body_mutants 15 "3 min of two cores" "40 generations of two_scales, of th
 trials_on_request again 15 "7 min of two cores" "60 generations of other seeds, which repeat the comparison with those of fractal" 1016 search again
 trials_on_request again_balanced 15 "7 min of two cores" "the same with beams whose moments balance their forces" 1016 search again_balanced
 part_on_request neighbours "20 min of one core" "robots that differ in one cell from the champions of again, of both; ./run paper scale_invariance two_scales_again control_again makes these"
-part_on_request climbs "1.8 h of one core" "small changes of the best fractals, one after the other, with the arrangement bound to the body and free; ./run paper scale_invariance two_scales two_scales_again again_balanced makes these"
+part_on_request climbs "about 6 h of one core" "small changes of the best fractals and of random ones, with the arrangement bound to the body and free; ./run paper scale_invariance two_scales two_scales_again again_balanced makes these"
 part_on_request three_scales_40 "about 1 h of two cores" "a trial in single precision: 40 generations at three scales"
 part_on_request three_scales "about 9 h of two cores" "the same trial: 325 generations; it goes on from the 40"
 part_on_request full "about 6 days of two cores" "fifteen such trials, seeds 1001 to 1015: the paper's control"

@@ -969,18 +969,22 @@ printf 'status = "completed"\ndisplacement_m = [0.0, %s, 0.0]\n' "$way" > "$4/re
         self.assertEqual({row["change"] for row in rows if row["way"] == "fractal"}, {"start", "nothing_fitter_nearby"})
         self.assertEqual({row["change"] for row in rows if row["way"] == "free"}, {"start", "arrangement_0", "nothing_fitter_nearby"})
         found = {(row["robots"], row["way"]): row for row in table_of(self.tree / "paper/non_fractal/climbs_statistics.csv")}
-        fractal, free = (found["with_fault", kind] for kind in ("fractal", "free"))
-        self.assertEqual([fractal[name] for name in ("number", "gain", "over_fractal", "tried", "nothing_fitter_nearby", "p")], ["6", "1", "", "18", "1", ""])
-        self.assertEqual([free[name] for name in ("number", "gain", "over_fractal", "fitter_than_fractal", "steps_of_body", "steps_of_arrangement", "fitter_outcome")], ["6", "2", "2", "1", "0", "1", "reproduced"])
+        fractal, free = (found["two_scales_again", kind] for kind in ("fractal", "free"))
+        self.assertEqual([fractal[name] for name in ("number", "gain", "over_fractal", "tried", "nothing_fitter_nearby", "p_gains")], ["6", "1", "", "18", "1", ""])
+        self.assertEqual([free[name] for name in ("number", "gain", "over_fractal", "larger_than_fractal", "steps_of_body", "steps_of_arrangement", "fitter_outcome")], ["6", "2", "2", "1", "0", "1", "reproduced"])
         # All six are twice as fit: with equal differences the signed rank is normal, 10.5 / sqrt(6 7 13 / 24 - (6^3 - 6) / 48) from its mean.
-        self.assertAlmostEqual(float(free["p"]), math.erfc(10.5 / math.sqrt(22.75 - 4.375) / math.sqrt(2)), delta=2e-4)
+        self.assertEqual({robots for robots, _ in found}, {"two_scales_again"}, "the other kind is not there")
+        for test in ("p_gains", "p_fractal"):
+            self.assertAlmostEqual(float(free[test]), math.erfc(10.5 / math.sqrt(22.75 - 4.375) / math.sqrt(2)), delta=2e-4)
+        early = [row for row in table_of(self.tree / "paper/non_fractal/climbs_on_the_way.csv") if row["way"] == "fractal"]
+        self.assertEqual([(row["after"], row["tried"]) for row in early], [("50", "18"), ("100", "18")], "there are 18 nearby")
         # Nothing is walked again, and a robot that is another one now has no climb yet.
         for seed in seeds:
             self.done(self.script, "climb", self.folder, self.program("exit 1"), "two_scales_again", seed)
         self.done(self.script, "take", self.folder)
         self.assertEqual(table.read_text(), text)
         write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"], [["two_scales_again", 11, 1, 8, "0" + self.plane[1:]]])
-        self.refused("begins with another robot", self.script, "take", self.folder)
+        self.refused("does not begin with the robot that is there now", self.script, "take", self.folder)
 
     def test_a_stop_leaves_no_table_and_an_error_of_the_program_is_its_own(self):
         write(self.tree / "paper/scale_invariance/robots.csv", ["group", "seed", "robot", "cells", "phenotype"], [["two_scales_again", 11, 1, 9, self.plane]])
