@@ -1,6 +1,7 @@
 #include "evolution/verdict/verdict.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "evolution/outputs/report_numbers.h"
 #include "evolution/verdict/finding_words.h"
@@ -68,12 +69,13 @@ Finding search_finding(const SearchFacts& facts, bool several) {
 }
 
 /// Whether a walk on finer elements is about that of the search, see judging_words.
-bool keeps_its_walk(const ConfirmedWalk& walk) {
+/// @param is_squared whether scores are squares of distances
+bool keeps_its_walk(const ConfirmedWalk& walk, bool is_squared) {
   if (!walk.score || !walk.fitness) return false;
   const double slower = std::min(*walk.score, *walk.fitness);
   const double faster = std::max(*walk.score, *walk.fitness);
-  return slower > 0.0 && faster <= meshes::walk_limits::same_speed * slower &&
-         walk.angle_deg.value_or(0.0) <= meshes::walk_limits::same_direction_deg;
+  const double limit = meshes::walk_limits::same_speed * (is_squared ? meshes::walk_limits::same_speed : 1.0);
+  return slower > 0.0 && faster <= limit * slower && walk.angle_deg.value_or(0.0) <= meshes::walk_limits::same_direction_deg;
 }
 
 /// "0.356 on standard elements (turned by 14 degrees)"
@@ -87,30 +89,30 @@ std::string confirmed_text(const ConfirmedWalk& walk) {
 /// What the best robots of a search do on finer elements. @param facts which have such walks
 Finding confirmation_finding(const SearchFacts& facts, bool several) {
   std::string robots;
-  std::vector<bool> keep;  // of each robot, whether all of its walks are about that of the search
-  std::string rank;
+  std::vector<std::pair<std::string, bool>> keep;  // rank of each robot; whether all of its walks are about that of the search
+  const bool is_squared = facts.unit.starts_with("m\u00b2");
   for (const ConfirmedWalk& walk : facts.confirmed) {
-    if (walk.rank != rank) {
-      rank = walk.rank;
-      keep.push_back(true);
+    if (keep.empty() || walk.rank != keep.back().first) {
+      keep.emplace_back(walk.rank, true);
       if (!robots.empty()) robots += ". ";
-      robots += "Number " + rank + " (individual " + walk.individual + ") has " + shown_number(walk.fitness) + " in the search";
+      robots +=
+          "Number " + walk.rank + " (individual " + walk.individual + ") has " + shown_number(walk.fitness) + " in the search";
     }
     robots += ", " + confirmed_text(walk);
-    keep.back() = keep.back() && keeps_its_walk(walk);
+    keep.back().second = keep.back().second && keeps_its_walk(walk, is_squared);
   }
-  const auto first = std::ranges::find(keep, true);
-  const bool is_best = first == keep.begin();
+  const auto first = std::ranges::find(keep, true, &std::pair<std::string, bool>::second);
   const bool is_none = first == keep.end();
+  const bool is_best = !is_none && first->first == "1";
   std::string text = several ? "Search " + facts.source + ": " : "";
-  text += is_best   ? "Its best robot keeps its walk on finer elements."
-          : is_none ? "None of its robots that were tried on finer elements keeps its walk."
-                    : "Its best robot does not keep its walk on finer elements, number " +
-                          std::to_string(first - keep.begin() + 1) + " does.";
-  return {is_best   ? Tone::good
-          : is_none ? Tone::bad
-                    : Tone::caution,
-          text + " In " + facts.unit + ": " + robots + ".", facts.source};
+  text += is_best ? "Its best robot keeps its walk on finer elements."
+          : is_none
+              ? "None of its robots that were tried on finer elements keeps its walk."
+              : "Of its robots that were tried on finer elements number " + first->first + " is the first that keeps its walk.";
+  Tone tone = Tone::caution;
+  if (is_none) tone = Tone::bad;
+  if (is_best && facts.is_walk) tone = Tone::good;
+  return {tone, text + " In " + facts.unit + ": " + robots + ".", facts.source};
 }
 
 Finding modes_finding(const ModesFacts& facts) {
@@ -207,9 +209,8 @@ Verdict verdict_of(const ReportFacts& facts) {
     if (!search.confirmed.empty()) findings.push_back(confirmation_finding(search, facts.searches.size() > 1));
   }
   for (const RankingFacts& ranking : facts.rankings) findings.push_back(ranking_finding(ranking));
-  const bool is_any_confirmed =
-      std::ranges::any_of(facts.searches, [](const SearchFacts& one) { return !one.confirmed.empty(); });
-  if (!facts.searches.empty() && facts.rankings.empty() && !is_any_confirmed)
+  const bool are_confirmed = std::ranges::all_of(facts.searches, [](const SearchFacts& one) { return !one.confirmed.empty(); });
+  if (!facts.searches.empty() && facts.rankings.empty() && !are_confirmed)
     findings.push_back(missing("Whether the robots of the search walk on finer elements", "reevaluate"));
   for (const ModesFacts& modes : facts.modes) findings.push_back(modes_finding(modes));
   std::stable_partition(findings.begin(), findings.end(), [](const Finding& finding) { return finding.tone != Tone::missing; });

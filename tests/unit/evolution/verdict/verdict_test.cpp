@@ -739,6 +739,21 @@ TEST(Verdict, SaysWhetherTheBestRobotsOfASearchKeepTheirWalkOnFinerElements) {
           .tone,
       Tone::good);
   for (const Finding& finding : verdict_of(facts).findings) EXPECT_NE(finding.source, "menger reevaluate") << finding.text;
+  facts.searches.front().is_walk = false;
+  EXPECT_EQ(finding_with(verdict_of(facts), "Its best robot keeps its walk").tone, Tone::caution) << "it hardly moves in either";
+  facts.searches.front().is_walk = true;
+  walks.front().rank = "2";  // the first one did not walk on all elements
+  EXPECT_EQ(finding_with(verdict_of(facts), "number 2 is the first that keeps its walk").tone, Tone::caution);
+  walks.front().rank = "1";
+  // Squares of distances may differ by the square of what distances may.
+  walks.front().score = 0.14;
+  EXPECT_EQ(finding_with(verdict_of(facts), "None of its robots").tone, Tone::bad);
+  facts.searches.front().unit = "m\u00b2";
+  EXPECT_EQ(finding_with(verdict_of(facts), "Its best robot keeps its walk").tone, Tone::good);
+  facts.searches.front().unit = "body lengths";
+  ReportFacts two = facts;
+  two.searches.push_back({.source = "other.sqlite", .generations = 1, .last_generation = "0", .last_fitness = 0.3, .unit = "m"});
+  EXPECT_EQ(finding_with(verdict_of(two), "walk on finer elements was not computed").source, "menger reevaluate");
   // Each of these is no such walk: slower or faster by more than half, turned by more than 45 degrees, backwards, none.
   for (const auto& [score, angle_deg] : std::initializer_list<std::pair<std::optional<double>, double>>{
            {0.19, 0.0}, {0.46, 0.0}, {0.3, 46.0}, {-0.3, 0.0}, {std::nullopt, 0.0}}) {
@@ -753,14 +768,14 @@ TEST(Verdict, SaysWhetherTheBestRobotsOfASearchKeepTheirWalkOnFinerElements) {
   EXPECT_NE(finding_with(verdict_of(facts), "(turned by 44 degrees), no walk on fine elements (the body has fallen).").text, "");
   walks.push_back({.rank = "2", .individual = "8", .fitness = 0.25, .elements = "standard", .score = 0.25});
   walks.push_back({.rank = "2", .individual = "8", .fitness = 0.25, .elements = "fine", .score = 0.2});
-  const Finding second =
-      finding_with(verdict_of(facts), "Its best robot does not keep its walk on finer elements, number 2 does.");
+  const Finding second = finding_with(
+      verdict_of(facts), "Of its robots that were tried on finer elements number 2 is the first that keeps its walk.");
   EXPECT_EQ(second.tone, Tone::caution);
   EXPECT_TRUE(
       second.text.ends_with(". Number 2 (individual 8) has 0.25 in the search, 0.25 on standard elements, 0.2 on fine elements."))
       << second.text;
   facts.searches.push_back(facts.searches.front());
-  EXPECT_NE(finding_with(verdict_of(facts), "Search run.sqlite: Its best robot does not").text, "");
+  EXPECT_NE(finding_with(verdict_of(facts), "Search run.sqlite: Of its robots that were tried").text, "");
 }
 
 TEST(Verdict, SaysWhatIsMissingLast) {
