@@ -30,8 +30,8 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "scale_invariance"), str(HER
 import numpy as np  # noqa: E402
 from changed_walks import champions  # noqa: E402
 from neighbours import LARGER, SMALLER, fitness, is_allowed, neighbours, parts_of, way, write  # noqa: E402
-from scale_invariance import LEAST_BODY_LENGTHS, body_lengths  # noqa: E402
 from sample_statistics import OUTCOMES, geometric_mean, mean, share, share_of_larger_pairs, signed_rank, tells_apart, verdict  # noqa: E402
+from scale_invariance import LEAST_BODY_LENGTHS, body_lengths  # noqa: E402
 from small_tables import InputError, cell, read_table, run_script, write_table  # noqa: E402
 
 WITH_FAULT = ("two_scales", "two_scales_again")  # of the simulator: ../discrepancies/README.md
@@ -181,10 +181,12 @@ def fitness_after(climb, tries):
     return max(fitness(row) for row in climb if int(row["tried"]) <= tries)
 
 
-def compared(first, second, name):
-    """How many times as large the first sample is as the second one, pair by pair; which is larger, of pairs that differ; and p of the signed-rank
-    test of the logarithms."""
-    return (geometric_mean(first / second).cells(f"over_{name}") | share_of_larger_pairs(first, second).cells(f"larger_than_{name}")
+def compared(ratio, first, second, name):
+    """How many times as large the first sample is as the second one; how often it is larger, of pairs that differ; and p of the signed-rank test of
+    the logarithms.
+
+    @param ratio the geometric mean of first / second"""
+    return (ratio.cells(f"over_{name}") | share_of_larger_pairs(first, second).cells(f"larger_than_{name}")
             | {f"p_{name}": signed_rank(np.log(first), np.log(second))})
 
 
@@ -214,10 +216,10 @@ def summary():
                 if kind != "fractal":
                     p = signed_rank(gains[kind], gains["fractal"])
                     ratio = geometric_mean(gains[kind] / gains["fractal"])
-                    rows[-1] |= compared(gains[kind], gains["fractal"], "fractal") | {"p_gains": p}
+                    rows[-1] |= compared(ratio, gains[kind], gains["fractal"], "fractal") | {"p_gains": p}
                     rows[-1] |= {"fitter_outcome": OUTCOMES[verdict(ratio, 1.0)] if tells_apart(p) else "open"}
                 if kind == "free":
-                    rows[-1] |= compared(gains[kind], gains["kept"], "kept")
+                    rows[-1] |= compared(geometric_mean(gains[kind] / gains["kept"]), gains[kind], gains["kept"], "kept")
     for table, tries in (("climbs_statistics", (TRIES,)), ("climbs_on_the_way", AFTER[:-1])):
         made = [{column: cell(value) for column, value in row.items()} for row in rows if row["after"] in tries]
         write_table(HERE / f"{table}.csv", list(max(made, key=len)), made)

@@ -29,7 +29,7 @@ climbs() {
   local folder=$results/climbs robots group seed
   robots=$("$study/climbs.py" robots)
   while read -r group seed; do
-    say "climbs from the best fractal of $group $seed"
+    say "climbs from $group $seed"
     "$study/climbs.py" climb "$folder" build/release/bin/menger "$group" "$seed" </dev/null
   done <<<"$robots"
   "$study/climbs.py" take "$folder"
